@@ -1,0 +1,54 @@
+#pragma once
+/// Axis-aligned boxes. Held in float; whoever makes one from wider numbers rounds outward.
+
+#include <limits>
+
+#include "sightline/math/vec.h"
+
+namespace sightline {
+
+/// The closed box [lo, hi]; empty (lo > hi) until extended.
+struct Aabb {
+  Vec3f lo{std::numeric_limits<float>::infinity()};
+  Vec3f hi{-std::numeric_limits<float>::infinity()};
+
+  bool is_empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
+
+  void extend(const Vec3f& p) {
+    lo = glm::min(lo, p);
+    hi = glm::max(hi, p);
+  }
+  void extend(const Aabb& box) {
+    lo = glm::min(lo, box.lo);
+    hi = glm::max(hi, box.hi);
+  }
+
+  bool contains(const Aabb& box) const {
+    return box.is_empty() || (glm::all(glm::lessThanEqual(lo, box.lo)) && glm::all(glm::lessThanEqual(box.hi, hi)));
+  }
+  bool contains(const Vec3f& p) const {
+    return glm::all(glm::lessThanEqual(lo, p)) && glm::all(glm::lessThanEqual(p, hi));
+  }
+
+  Vec3f extent() const { return hi - lo; }
+  Vec3f center() const { return 0.5f * lo + 0.5f * hi; }
+
+  int longest_axis() const {
+    const Vec3f e = extent();
+    return e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
+  }
+
+  friend bool operator==(const Aabb&, const Aabb&) = default;
+};
+
+inline Aabb intersection(const Aabb& a, const Aabb& b) { return {glm::max(a.lo, b.lo), glm::min(a.hi, b.hi)}; }
+
+/// Half of the surface area, the measure of the surface area heuristic; in double because squares of large floats
+/// overflow. Zero for an empty box.
+inline double half_area(const Aabb& box) {
+  if (box.is_empty()) return 0;
+  const Vec3d e = Vec3d(box.hi) - Vec3d(box.lo);
+  return e.x * e.y + e.y * e.z + e.z * e.x;
+}
+
+}  // namespace sightline

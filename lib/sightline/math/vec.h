@@ -1,0 +1,28 @@
+#pragma once
+/// Three-component vectors: GLM's, under the names the library uses.
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vector_relational.hpp>
+
+namespace sightline {
+
+template <class T>
+using Vec3 = glm::vec<3, T, glm::defaultp>;
+using Vec3f = Vec3<float>;
+using Vec3d = Vec3<double>;
+
+template <class T>
+bool is_finite(const Vec3<T>& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Largest absolute component (the maximum norm).
+template <class T>
+T max_norm(const Vec3<T>& v) {
+  return std::fmax(std::fmax(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z));
+}
+
+}  // namespace sightline
