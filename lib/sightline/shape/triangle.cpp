@@ -1,0 +1,158 @@
+#include "sightline/shape/triangle.h"
+
+#include <array>
+
+#include "sightline/math/expansion.h"
+#include "sightline/math/rounding.h"
+
+namespace sightline {
+namespace {
+
+constexpr double unit_roundoff = 0x1p-53;
+
+/// With m the largest |vertex - origin| and M the largest sheared coordinate: a sheared coordinate is off by at most 6
+/// u m (two rounded differences, a rounded slope, a product, a difference), so an edge function, two products of such
+/// coordinates, by 4 * 6 u m M plus 8 u m M for its own roundings. 32 in all; the rest is for terms in u^2.
+constexpr double edge_error = 40 * unit_roundoff;
+
+/// The weighted mean of the vertices strays from the ray by 3 edge_error m M * M / |u + v + w|. It must stay below the
+/// 2^-35 m that margin M1 grants to double rays, so the sum must exceed this share of M^2.
+constexpr double least_weight = 3 * edge_error * 0x1p+35;
+
+struct ExactVector {
+  Expansion<2> x, y, z;
+};
+
+ExactVector relative_to(const Vec3d& origin, const Vec3f& p) {
+  return {exact_difference(p.x, origin.x), exact_difference(p.y, origin.y), exact_difference(p.z, origin.z)};
+}
+
+std::array<Expansion<16>, 3> cross(const ExactVector& p, const ExactVector& q) {
+  return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+}
+
+auto dot(const Vec3d& d, const std::array<Expansion<16>, 3>& n) {
+  return Expansion<1>(d.x) * n[0] + Expansion<1>(d.y) * n[1] + Expansion<1>(d.z) * n[2];
+}
+
+}  // namespace
+
+TriangleRay::TriangleRay(const Ray<double>& ray, const Aabb& bounds) : origin_(ray.origin), direction_(ray.direction) {
+  const Vec3d size = glm::abs(direction_);
+  kz_ = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  kx_ = (kz_ + 1) % 3;
+  ky_ = (kx_ + 1) % 3;
+  if (direction_[kz_] < 0) std::swap(kx_, ky_);
+  scale_z_ = 1 / direction_[kz_];
+  shear_x_ = direction_[kx_] / direction_[kz_];
+  shear_y_ = direction_[ky_] / direction_[kz_];
+  const double reach = max_norm(glm::max(glm::abs(Vec3d(bounds.lo) - origin_), glm::abs(Vec3d(bounds.hi) - origin_)));
+  sign_bound_ = 2 * edge_error * reach * reach;  // M <= 2 m, as slopes are at most 1
+}
+
+bool TriangleRay::settle(const Triangle& triangle, const Vec3d& a, const Vec3d& b, const Vec3d& c, const Sheared& s,
+                         double u, double v, double w, Crossing& crossing) const {
+  const double reach = std::max({max_norm(a), max_norm(b), max_norm(c)});
+  const double size =
+      std::max({std::fabs(s.ax), std::fabs(s.ay), std::fabs(s.bx), std::fabs(s.by), std::fabs(s.cx), std::fabs(s.cy)});
+  const double bound = edge_error * reach * size;
+  const double lowest = std::min({u, v, w}), highest = std::max({u, v, w});
+  if (lowest < -bound && highest > bound) return false;
+  const double sum = u + v + w;
+  const bool is_settled = (lowest > bound || highest < -bound) && std::fabs(sum) > least_weight * size * size;
+  if (!is_settled) return intersect_exactly(triangle, crossing);
+  crossing.t = (u * a[kz_] + v * b[kz_] + w * c[kz_]) * scale_z_ / sum;
+  crossing.u = v / sum;
+  crossing.v = w / sum;
+  return true;
+}
+
+/// The same edge functions without the shear: u = d . (c x b), v = d . (a x c), w = d . (b x a), relative to the
+/// origin. Their sum is the direction's component along the normal, and a . (c x b) the origin's height, both with one
+/// factor.
+bool TriangleRay::intersect_exactly(const Triangle& triangle, Crossing& crossing) const {
+  const ExactVector a = relative_to(origin_, triangle.a);
+  const ExactVector b = relative_to(origin_, triangle.b);
+  const ExactVector c = relative_to(origin_, triangle.c);
+  const auto c_cross_b = cross(c, b);
+  const auto u = dot(direction_, c_cross_b);
+  const auto v = dot(direction_, cross(a, c));
+  const auto w = dot(direction_, cross(b, a));
+  const bool has_negative = u.sign() < 0 || v.sign() < 0 || w.sign() < 0;
+  const bool has_positive = u.sign() > 0 || v.sign() > 0 || w.sign() > 0;
+  if (has_negative == has_positive) return false;  // outside, or edge-on where all three vanish
+  const double sum = (u + v + w).estimate();
+  const auto height = a.x * c_cross_b[0] + a.y * c_cross_b[1] + a.z * c_cross_b[2];
+  crossing.t = height.estimate() / sum;
+  crossing.u = v.estimate() / sum;
+  crossing.v = w.estimate() / sum;
+  return true;
+}
+
+Aabb clip(const Triangle& triangle, const Aabb& box) {
+  const Aabb whole = bounds_of(triangle);
+  if (box.contains(whole)) return whole;
+  Aabb clipped = intersection(whole, box);
+  if (clipped.is_empty()) return {};
+
+  // Relative to a corner of the box, so that rounding is small beside the sizes involved and not beside their distance
+  // from the world's origin.
+  const Vec3d corner(box.lo);
+  std::array<Vec3d, 9> polygon{Vec3d(triangle.a) - corner, Vec3d(triangle.b) - corner, Vec3d(triangle.c) - corner};
+  std::array<Vec3d, 9> kept;
+  int count = 3;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const bool is_upper : {false, true}) {
+      const double plane = (is_upper ? double(box.hi[axis]) : double(box.lo[axis])) - corner[axis];
+      int kept_count = 0;
+      for (int i = 0; i < count; ++i) {
+        const Vec3d& from = polygon[i];
+        const Vec3d& to = polygon[(i + 1) % count];
+        const double from_side = is_upper ? plane - from[axis] : from[axis] - plane;
+        const double to_side = is_upper ? plane - to[axis] : to[axis] - plane;
+        if (from_side >= 0) kept[kept_count++] = from;
+        if ((from_side > 0 && to_side < 0) || (from_side < 0 && to_side > 0)) {
+          Vec3d cut = from + (from_side / (from_side - to_side)) * (to - from);
+          cut[axis] = plane;
+          kept[kept_count++] = cut;
+        }
+      }
+      count = kept_count;
+      polygon = kept;
+    }
+  }
+  if (count == 0) return {};
+  Aabb tight;
+  for (int i = 0; i < count; ++i) {
+    const Vec3d p = polygon[i] + corner;
+    tight.extend(Vec3f(round_down(p.x), round_down(p.y), round_down(p.z)));
+    tight.extend(Vec3f(round_up(p.x), round_up(p.y), round_up(p.z)));
+  }
+  clipped = intersection(clipped, tight);
+  return clipped;
+}
+
+Hull hull_of(const Triangle& triangle) {
+  Hull hull;
+  hull.points.push_back(triangle.a);
+  hull.points.push_back(triangle.b);
+  hull.points.push_back(triangle.c);
+  hull.is_polygon = true;
+  return hull;
+}
+
+CandidatePlanes planes_of(const Triangle& triangle) {
+  const std::array<Vec3d, 3> corners{Vec3d(triangle.a), Vec3d(triangle.b), Vec3d(triangle.c)};
+  const Vec3d normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  if (!(glm::dot(normal, normal) > 0)) return faces_of(bounds_of(triangle));
+  CandidatePlanes planes;
+  const auto add = [&](const Vec3d& direction, const Vec3d& point) {
+    const Vec3d unit = glm::normalize(direction);
+    planes.push_back({unit, glm::dot(unit, point)});
+  };
+  add(normal, corners[0]);
+  for (int i = 0; i < 3; ++i) add(glm::cross(normal, corners[(i + 1) % 3] - corners[i]), corners[i]);
+  return planes;
+}
+
+}  // namespace sightline
