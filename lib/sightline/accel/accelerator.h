@@ -1,0 +1,66 @@
+#pragma once
+/// The contract that every structure keeps.
+///
+/// An accelerator only enumerates candidates, front to back as far as its regions allow. It never intersects a
+/// primitive: closest and any hit, counting and drawing are written once, in query/, over the one `traverse`.
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "sightline/accel/options.h"
+#include "sightline/accel/primitives.h"
+#include "sightline/accel/probe.h"
+#include "sightline/math/ray.h"
+
+namespace sightline {
+
+/// Told of a leaf's candidates, a visitor returns the ray's new far limit; -infinity stops the traversal.
+template <class V, class T>
+concept LeafVisitor = requires(V visit, LeafRange leaf) {
+  { visit(leaf) } -> std::same_as<T>;
+};
+
+/// One region of a structure, for drawing and for the laws that test coverage.
+struct Cell {
+  std::variant<Aabb, Sphere, Cylinder, Polyhedron> region;
+  int depth = 0;
+  bool is_leaf = false;
+  LeafRange range;         ///< Candidates of a leaf; empty for inner nodes.
+  std::uint32_t node = 0;  ///< The number by which probes name it.
+};
+
+namespace detail {
+template <class T>
+struct AnyLeafVisitor {
+  T operator()(LeafRange) const;
+};
+struct AnyCellVisitor {
+  void operator()(const Cell&) const;
+};
+}  // namespace detail
+
+template <class A>
+concept Accelerator = std::movable<A> &&
+    requires(const A& a, const Primitives& primitives, const typename A::Options& options, const Ray<float>& ray,
+             const Ray<double>& wide_ray, NoProbe& probe) {
+  { A::name } -> std::convertible_to<std::string_view>;
+  { A::description } -> std::convertible_to<std::string_view>;  // one line: how it divides, and its paper
+  {A::Options::fields()};                                       // see options.h
+  { A::build(primitives, options) } -> std::same_as<A>;         // std::invalid_argument for bad options
+  { a.memory_bytes() } -> std::same_as<std::size_t>;            // nodes and leaf order
+  { a.node_bytes } -> std::convertible_to<std::size_t>;         // of one node
+  // The primitive at each leaf position; a primitive held by several leaves stands at several positions.
+  { a.leaf_order() } -> std::same_as<std::span<const std::uint32_t>>;
+  // False while queries may still rearrange leaf_order (lazy building).
+  { a.is_order_final() } -> std::same_as<bool>;
+  a.traverse(ray, detail::AnyLeafVisitor<float>{}, probe);
+  a.traverse(wide_ray, detail::AnyLeafVisitor<double>{}, probe);
+  a.for_each_cell(detail::AnyCellVisitor{});
+};
+
+}  // namespace sightline
