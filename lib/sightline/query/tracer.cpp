@@ -1,0 +1,57 @@
+#include "sightline/query/tracer.h"
+
+#include <stdexcept>
+
+#include "sightline/accel/registry.h"
+#include "sightline/query/tracer_of.h"
+
+namespace sightline {
+namespace {
+
+template <int Slice = 0>
+std::unique_ptr<Tracer> make_in_slices(std::string_view accelerator, const std::shared_ptr<const TriangleMesh>& mesh,
+                                       const TracerSettings& settings) {
+  if constexpr (Slice < detail::slice_count) {
+    if (auto tracer = detail::make_tracer_in_slice<Slice>(accelerator, mesh, settings)) return tracer;
+    return make_in_slices<Slice + 1>(accelerator, mesh, settings);
+  } else {
+    return nullptr;
+  }
+}
+
+template <class A>
+AcceleratorInfo info_of() {
+  AcceleratorInfo info{A::name, A::description, A::node_bytes, {}};
+  const typename A::Options defaults;
+  for (const auto& field : A::Options::fields()) {
+    const std::string value = std::visit(
+        [&]<class M>(M A::Options::*member) -> std::string {
+          if constexpr (std::is_same_v<M, bool>) return defaults.*member ? "true" : "false";
+          return detail::number_text(defaults.*member);
+        },
+        field.member);
+    info.options.push_back({field.name, value, detail::allowed_text(field), field.help});
+  }
+  return info;
+}
+
+}  // namespace
+
+std::unique_ptr<Tracer> make_tracer(std::string_view accelerator, std::shared_ptr<const TriangleMesh> mesh,
+                                    const TracerSettings& settings) {
+  if (auto tracer = make_in_slices(accelerator, mesh, settings)) return tracer;
+  std::string known;
+  for (const AcceleratorInfo& info : accelerator_infos()) known += (known.empty() ? "" : ", ") + std::string(info.name);
+  throw std::invalid_argument("unknown accelerator '" + std::string(accelerator) + "'; expected one of " + known);
+}
+
+std::span<const AcceleratorInfo> accelerator_infos() {
+  static const std::vector<AcceleratorInfo> infos = [] {
+    std::vector<AcceleratorInfo> list;
+    Accelerators::for_each([&]<class A>(auto) { list.push_back(info_of<A>()); });
+    return list;
+  }();
+  return infos;
+}
+
+}  // namespace sightline

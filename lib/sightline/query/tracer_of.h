@@ -1,0 +1,108 @@
+#pragma once
+/// The one implementation of Tracer, over any structure.
+
+#include <tbb/task_arena.h>
+
+#include <cassert>
+#include <utility>
+
+#include "sightline/query/primitives_of.h"
+#include "sightline/query/queries.h"
+#include "sightline/query/tracer.h"
+
+namespace sightline::detail {
+
+/// Queries<float> and Queries<double> over Derived::with_leaves, one T at a time.
+template <class Derived, class T, class Base>
+class QueriesOf : public Base {
+ public:
+  void closest_hits(std::span<const Ray<T>> rays, std::span<Hit<T>> hits) const override {
+    NoProbe probe;
+    closest(rays, hits, probe);
+  }
+  void closest_hits(std::span<const Ray<T>> rays, std::span<Hit<T>> hits, TraversalStats& stats) const override {
+    closest(rays, hits, stats);
+  }
+  void any_hits(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit) const override {
+    NoProbe probe;
+    any(rays, is_hit, probe);
+  }
+  void any_hits(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit, TraversalStats& stats) const override {
+    any(rays, is_hit, stats);
+  }
+  std::vector<Hit<T>> all_hits(const Ray<T>& ray) const override {
+    NoProbe probe;
+    return self().with_leaves(
+        [&](const auto& accel, const auto& leaves) { return sightline::all_hits(accel, leaves, ray, probe); });
+  }
+  Hit<T> record(const Ray<T>& ray, WalkRecorder& walk) const override {
+    return self().with_leaves(
+        [&](const auto& accel, const auto& leaves) { return closest_hit(accel, leaves, ray, walk); });
+  }
+
+ private:
+  const Derived& self() const { return static_cast<const Derived&>(*this); }
+
+  template <class Probe>
+  void closest(std::span<const Ray<T>> rays, std::span<Hit<T>> hits, Probe& probe) const {
+    assert(rays.size() == hits.size());
+    self().with_leaves([&](const auto& accel, const auto& leaves) {
+      for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = closest_hit(accel, leaves, rays[i], probe);
+    });
+  }
+  template <class Probe>
+  void any(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit, Probe& probe) const {
+    assert(rays.size() == is_hit.size());
+    self().with_leaves([&](const auto& accel, const auto& leaves) {
+      for (std::size_t i = 0; i < rays.size(); ++i) is_hit[i] = any_hit(accel, leaves, rays[i], probe);
+    });
+  }
+};
+
+template <Accelerator A>
+class TracerOf final : public QueriesOf<TracerOf<A>, double, QueriesOf<TracerOf<A>, float, Tracer>> {
+ public:
+  TracerOf(std::shared_ptr<const TriangleMesh> mesh, A accel, bool pack_leaves)
+      : mesh_(std::move(mesh)),
+        accel_(std::move(accel)),
+        is_packed_(pack_leaves && accel_.is_order_final()),
+        packed_(*mesh_, is_packed_ ? accel_.leaf_order() : std::span<const std::uint32_t>{}),
+        indexed_(*mesh_, accel_.leaf_order()) {}
+
+  std::string_view name() const override { return A::name; }
+  const TriangleMesh& mesh() const override { return *mesh_; }
+  std::size_t structure_bytes() const override { return accel_.memory_bytes(); }
+  std::size_t leaf_bytes() const override { return packed_.memory_bytes(); }
+  std::span<const std::uint32_t> leaf_order() const override { return accel_.leaf_order(); }
+  void for_each_cell(const std::function<void(const Cell&)>& see) const override { accel_.for_each_cell(see); }
+
+  template <class Use>
+  auto with_leaves(Use&& use) const {
+    return is_packed_ ? use(accel_, packed_) : use(accel_, indexed_);
+  }
+
+ private:
+  std::shared_ptr<const TriangleMesh> mesh_;
+  A accel_;
+  bool is_packed_;
+  PackedLeaves<TriangleMesh> packed_;
+  IndexedLeaves<TriangleMesh> indexed_;
+};
+
+template <Accelerator A>
+std::unique_ptr<Tracer> make_tracer_of(std::shared_ptr<const TriangleMesh> mesh, const TracerSettings& settings) {
+  typename A::Options options;
+  for (const auto& [name, value] : settings.options) set_option(A::name, options, name, value);
+  const PrimitivesOf primitives(*mesh);
+  tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
+  return arena.execute(
+      [&] { return std::make_unique<TracerOf<A>>(mesh, A::build(primitives, options), settings.pack_leaves); });
+}
+
+/// The registry is cut into slices, each compiled on its own; null when the name is not in this one.
+inline constexpr int slice_count = 4;
+template <int Slice>
+std::unique_ptr<Tracer> make_tracer_in_slice(std::string_view accelerator, std::shared_ptr<const TriangleMesh> mesh,
+                                             const TracerSettings& settings);
+
+}  // namespace sightline::detail
