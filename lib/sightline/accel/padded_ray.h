@@ -58,7 +58,9 @@ struct PaddedRay {
       inverse[axis] = T(1) / direction[axis];
       is_negative[axis] = std::signbit(direction[axis]);
       // A product that underflows is off by up to one denormal step, which a large direction magnifies.
-      const T wide = pad + 2 * std::numeric_limits<T>::denorm_min() * std::fabs(direction[axis]);
+      T wide = pad + 2 * std::numeric_limits<T>::denorm_min() * std::fabs(direction[axis]);
+      // A direction too small to invert moves the ray all the same, by an amount that cannot be told: no plane bounds it.
+      if (direction[axis] != 0 && std::isinf(inverse[axis])) wide = std::numeric_limits<T>::infinity();
       const T forward = next_up(origin[axis] + wide), backward = next_down(origin[axis] - wide);
       enter_origin[axis] = is_negative[axis] ? backward : forward;
       leave_origin[axis] = is_negative[axis] ? forward : backward;
