@@ -1,0 +1,69 @@
+#pragma once
+/// What a hierarchy asks of its bounding volumes, and what balls and cylinders share.
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <type_traits>
+
+#include "sightline/accel/padded_ray.h"
+#include "sightline/math/volumes.h"
+
+namespace sightline {
+
+/// A volume as a node stores it.
+///   B1  around(box, points) contains the convex hull of the points, whose bounds are the box.
+///   B2  Test<T>{ray}(volume, far) is the range of parameters within [t_min, far] in which the padded ray may be in the
+///       volume: as large as margin M2 (padded_ray.h) demands or larger, and empty (lo > hi) only if it may be skipped.
+///       It never holds a NaN.
+template <class V>
+concept BoundingVolume = std::is_trivially_copyable_v<V> &&
+    requires(const V& volume, const Aabb& box, std::span<const Vec3f> points, const PaddedRay<float>& ray,
+             const typename V::template Test<float>& test) {
+  { V::tree_name } -> std::convertible_to<std::string_view>;
+  { V::tree_description } -> std::convertible_to<std::string_view>;
+  { V::needs_points } -> std::convertible_to<bool>;  // otherwise `around` is given none
+  { V::test_cost } -> std::convertible_to<float>;    // of two, relative to two boxes
+  { V::around(box, points) } -> std::same_as<V>;
+  { V::half_area_around(box) } -> std::same_as<double>;  // of such a volume around a box
+  {volume.region()};                                     // as cells show it
+  typename V::template Test<float>::Time;
+  { test(volume, ray.t_max) } -> std::same_as<Interval<typename V::template Test<float>::Time>>;
+};
+
+/// A padded ray in double, walked in units of distance: round volumes need squares, and those of floats leave the range
+/// of float already at 1e20 and 1e-23.
+///   D1  `pad` is at least the Euclidean length of the margin; half of it is 2^-34 reach or more, so roundings of
+///       2^-40 reach, a thousand times what double needs, cannot use up what margin M2 leaves them.
+template <class T>
+struct DistanceRay {
+  Vec3d origin;
+  Vec3d direction;         ///< Of unit length but for rounding.
+  double time_per_length;  ///< From distance to the ray's parameter.
+  double pad;
+  double t_min;
+
+  explicit DistanceRay(const PaddedRay<T>& ray) : origin(ray.origin), direction(ray.direction), t_min(ray.t_min) {
+    // A power of two first: the squares of very long and very short double directions leave even double.
+    const double largest = max_norm(direction);
+    const double scale = std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1020, 1020));
+    direction *= scale;
+    const double length = std::sqrt(glm::dot(direction, direction));
+    direction /= length;
+    time_per_length = scale / length;
+    // Parameters that underflow are off by a denormal step, as in PaddedRay.
+    const double wide = double(ray.pad) + 2 * double(std::numeric_limits<T>::denorm_min()) * largest;
+    pad = 1.7320509 * wide;  // above the square root of 3: from a margin per axis to a distance
+  }
+
+  /// Distances along the ray as parameters within [t_min, far]; NaN distances bound nothing.
+  Interval<double> times(double enter, double leave, double far) const {
+    const double t_enter = enter * time_per_length, t_leave = leave * time_per_length;
+    return {t_enter > t_min ? t_enter : t_min, t_leave < far ? t_leave : far};
+  }
+};
+
+}  // namespace sightline
