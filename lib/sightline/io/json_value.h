@@ -1,0 +1,96 @@
+#pragma once
+/// JSON that is not trusted: every look at it says where it was when something else was expected.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "sightline/io/file_error.h"
+
+namespace sightline {
+
+/// Throws FileError with the line.
+inline nlohmann::json parse_json(const std::filesystem::path& path, std::string_view text) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& error) {
+    const auto line =
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())), '\n');
+    throw FileError(path, static_cast<std::size_t>(line) + 1, "JSON",
+                    "byte " + std::to_string(error.byte) + " not to fit");
+  } catch (const nlohmann::json::exception&) {
+    throw FileError(path, 0, "JSON", "a number out of range");
+  }
+}
+
+/// A value within a JSON document, with the document's file and the value's place (a JSON pointer).
+class JsonValue {
+ public:
+  JsonValue(const std::filesystem::path& path, const nlohmann::json& json, std::string place = "")
+      : path_(&path), json_(&json), place_(std::move(place)) {}
+
+  const std::string& place() const { return place_; }
+
+  std::optional<JsonValue> find(const char* name) const {
+    if (!json_->is_object()) fail("an object");
+    const auto member = json_->find(name);
+    if (member == json_->end()) return std::nullopt;
+    return JsonValue(*path_, *member, place_ + "/" + name);
+  }
+  JsonValue operator[](const char* name) const {
+    if (const auto member = find(name)) return *member;
+    fail(std::string("a member \"") + name + "\"", "none");
+  }
+
+  std::size_t size() const {
+    if (!json_->is_array()) fail("an array");
+    return json_->size();
+  }
+  JsonValue operator[](std::size_t i) const {
+    if (i >= size()) fail("at least " + std::to_string(i + 1) + " elements", std::to_string(size()));
+    return {*path_, (*json_)[i], place_ + "/" + std::to_string(i)};
+  }
+
+  /// A whole number that a double holds exactly, as the limit of JSON's numbers is in practice.
+  std::uint64_t whole() const {
+    constexpr double limit = 0x1p53;
+    if (!json_->is_number() || !(json_->get<double>() >= 0) || !(json_->get<double>() < limit) ||
+        json_->get<double>() != static_cast<double>(static_cast<std::uint64_t>(json_->get<double>()))) {
+      fail("a whole number");
+    }
+    return static_cast<std::uint64_t>(json_->get<double>());
+  }
+  std::uint64_t whole_or(const char* name, std::uint64_t otherwise) const {
+    const auto member = find(name);
+    return member ? member->whole() : otherwise;
+  }
+  float number() const {
+    if (!json_->is_number()) fail("a number");
+    const auto value = static_cast<float>(json_->get<double>());
+    if (!(value - value == 0)) fail("a number that is finite as a float");
+    return value;
+  }
+  const std::string& text() const {
+    if (!json_->is_string()) fail("a string");
+    return json_->get_ref<const std::string&>();
+  }
+
+  [[noreturn]] void fail(const std::string& expected) const {
+    fail(expected, json_->dump(-1, ' ', true, nlohmann::json::error_handler_t::replace).substr(0, 40));
+  }
+  [[noreturn]] void fail(const std::string& expected, const std::string& found) const {
+    throw FileError(path_->string() + ":" + (place_.empty() ? "/" : place_), 0, expected, found);
+  }
+
+ private:
+  const std::filesystem::path* path_;
+  const nlohmann::json* json_;
+  std::string place_;
+};
+
+}  // namespace sightline
