@@ -1,0 +1,101 @@
+#include "bench/contender.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sightline/math/rounding.h"
+
+namespace sightline::bench {
+namespace {
+
+class BuiltStructure final : public Built {
+ public:
+  explicit BuiltStructure(std::unique_ptr<Tracer> tracer) : tracer_(std::move(tracer)) {}
+
+  void closest_hits(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const override {
+    tracer_->closest_hits(rays, hits);
+  }
+  void any_hits(std::span<const Ray<float>> rays, std::span<std::uint8_t> is_hit) const override {
+    tracer_->any_hits(rays, is_hit);
+  }
+  Bytes bytes() const override { return {tracer_->structure_bytes(), tracer_->leaf_bytes()}; }
+
+  std::optional<TraversalStats> count_closest(std::span<const Ray<float>> rays,
+                                              std::span<Hit<float>> hits) const override {
+    TraversalStats stats;
+    tracer_->closest_hits(rays, hits, stats);
+    return stats;
+  }
+  std::optional<TraversalStats> count_any(std::span<const Ray<float>> rays,
+                                          std::span<std::uint8_t> is_hit) const override {
+    TraversalStats stats;
+    tracer_->any_hits(rays, is_hit, stats);
+    return stats;
+  }
+
+ private:
+  std::unique_ptr<Tracer> tracer_;
+};
+
+class Structure final : public Contender {
+ public:
+  Structure(std::string label, std::string accelerator, TracerSettings settings)
+      : label_(std::move(label)), accelerator_(std::move(accelerator)), settings_(std::move(settings)) {}
+
+  std::string name() const override { return label_; }
+  Kind kind() const override { return Kind::ours; }
+  bool is_brute_force() const override { return accelerator_ == oracle_name; }
+  std::unique_ptr<Built> build(const std::shared_ptr<const TriangleMesh>& mesh) const override {
+    return std::make_unique<BuiltStructure>(make_tracer(accelerator_, mesh, settings_));
+  }
+
+ private:
+  std::string label_, accelerator_;
+  TracerSettings settings_;
+};
+
+class BuiltSpoiled final : public Built {
+ public:
+  explicit BuiltSpoiled(std::unique_ptr<Built> sound) : sound_(std::move(sound)) {}
+
+  void closest_hits(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const override {
+    sound_->closest_hits(rays, hits);
+    const auto hit = std::find_if(hits.begin(), hits.end(), [](const Hit<float>& h) { return h.is_hit(); });
+    if (hit != hits.end()) hit->t = next_up(hit->t);
+  }
+  void any_hits(std::span<const Ray<float>> rays, std::span<std::uint8_t> is_hit) const override {
+    sound_->any_hits(rays, is_hit);
+    if (!is_hit.empty()) is_hit[0] = !is_hit[0];
+  }
+  Bytes bytes() const override { return sound_->bytes(); }
+
+ private:
+  std::unique_ptr<Built> sound_;
+};
+
+class Spoiled final : public Contender {
+ public:
+  explicit Spoiled(std::unique_ptr<Contender> sound) : sound_(std::move(sound)) {}
+
+  std::string name() const override { return sound_->name(); }
+  Kind kind() const override { return sound_->kind(); }
+  bool is_brute_force() const override { return sound_->is_brute_force(); }
+  std::unique_ptr<Built> build(const std::shared_ptr<const TriangleMesh>& mesh) const override {
+    return std::make_unique<BuiltSpoiled>(sound_->build(mesh));
+  }
+
+ private:
+  std::unique_ptr<Contender> sound_;
+};
+
+}  // namespace
+
+std::unique_ptr<Contender> make_structure(std::string label, std::string accelerator, TracerSettings settings) {
+  return std::make_unique<Structure>(std::move(label), std::move(accelerator), std::move(settings));
+}
+
+std::unique_ptr<Contender> spoil(std::unique_ptr<Contender> contender) {
+  return std::make_unique<Spoiled>(std::move(contender));
+}
+
+}  // namespace sightline::bench

@@ -1,0 +1,61 @@
+#pragma once
+/// What is measured: anything that can be built over a mesh and asked for hits, ours or a peer.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "sightline/accel/probe.h"
+#include "sightline/math/ray.h"
+#include "sightline/query/tracer.h"
+
+namespace sightline::bench {
+
+/// Ready for queries, which run on the calling thread.
+class Built {
+ public:
+  struct Bytes {
+    std::size_t structure = 0;          ///< Nodes and leaf order; a peer's leaves as well.
+    std::optional<std::size_t> leaves;  ///< Copies of the triangles, where they are counted apart.
+    std::size_t total() const { return structure + leaves.value_or(0); }
+  };
+
+  virtual ~Built() = default;
+  virtual void closest_hits(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const = 0;
+  virtual void any_hits(std::span<const Ray<float>> rays, std::span<std::uint8_t> is_hit) const = 0;
+  virtual Bytes bytes() const = 0;
+
+  /// The same queries with the work counted; nothing from a peer that does not count.
+  virtual std::optional<TraversalStats> count_closest(std::span<const Ray<float>>, std::span<Hit<float>>) const {
+    return std::nullopt;
+  }
+  virtual std::optional<TraversalStats> count_any(std::span<const Ray<float>>, std::span<std::uint8_t>) const {
+    return std::nullopt;
+  }
+};
+
+class Contender {
+ public:
+  enum class Kind { ours, peer };
+
+  virtual ~Contender() = default;
+  virtual std::string name() const = 0;
+  virtual Kind kind() const = 0;
+  /// One of these asks every triangle of every ray, and so is asked fewer rays.
+  virtual bool is_brute_force() const { return false; }
+  virtual std::unique_ptr<Built> build(const std::shared_ptr<const TriangleMesh>& mesh) const = 0;
+};
+
+inline constexpr std::string_view oracle_name = "brute-force";
+
+/// A structure of the registry with options of its own. `label` is what the report calls it.
+std::unique_ptr<Contender> make_structure(std::string label, std::string accelerator, TracerSettings settings);
+
+/// `contender` with its first hit one unit in the last place too far and its first any-hit answer turned round: what
+/// the verification has to catch.
+std::unique_ptr<Contender> spoil(std::unique_ptr<Contender> contender);
+
+}  // namespace sightline::bench

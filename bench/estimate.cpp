@@ -1,0 +1,72 @@
+#include "bench/estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace sightline::bench {
+namespace {
+
+/// Decimal exponent of the first significant digit.
+int magnitude(double value) { return static_cast<int>(std::floor(std::log10(std::fabs(value)))); }
+
+std::string fixed_text(double value, int decimals) {
+  if (decimals < 0) {
+    const double unit = std::pow(10.0, -decimals);
+    return fixed_text(std::round(value / unit) * unit, 0);
+  }
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, "%.*f", std::min(decimals, 12), value);
+  return buffer;
+}
+
+}  // namespace
+
+Estimate estimate(std::vector<double> samples) {
+  if (samples.empty()) throw std::invalid_argument("no samples to estimate from");
+  std::sort(samples.begin(), samples.end());
+  const std::size_t n = samples.size();
+  Estimate result;
+  result.median = n % 2 == 1 ? samples[n / 2] : 0.5 * (samples[n / 2 - 1] + samples[n / 2]);
+
+  double choose = std::pow(0.5, static_cast<double>(n));  // C(n, k - 1) / 2^n
+  double outside = choose;                                // on one side, for k = 1
+  std::size_t k = 1;
+  while (k + 1 <= (n + 1) / 2) {
+    choose *= static_cast<double>(n - k + 1) / static_cast<double>(k);
+    if (1 - 2 * (outside + choose) < 0.95) break;
+    outside += choose;
+    ++k;
+  }
+  result.low = samples[k - 1];
+  result.high = samples[n - k];
+  result.confidence = n == 1 ? 0 : 1 - 2 * outside;
+  return result;
+}
+
+std::string measured_text(const Estimate& value, int significant) {
+  if (value.median == 0 || !std::isfinite(value.median)) return number_text(value.median, significant);
+  int decimals = significant - 1 - magnitude(value.median);
+  const double half_width = 0.5 * (value.high - value.low);
+  if (half_width > 0) decimals = std::min(decimals, -magnitude(half_width));
+  return fixed_text(value.median, std::max(decimals, -magnitude(value.median)));
+}
+
+std::string number_text(double value, int significant) {
+  if (value == 0) return "0";
+  if (!std::isfinite(value)) return value > 0 ? "inf" : value < 0 ? "-inf" : "nan";
+  return fixed_text(value, std::max(0, significant - 1 - magnitude(value)));
+}
+
+std::string count_text(std::size_t count) {
+  const std::string digits = std::to_string(count);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+}  // namespace sightline::bench

@@ -1,0 +1,33 @@
+#pragma once
+/// What a series of measurements says: the median, and how sure it is.
+
+#include <string>
+#include <vector>
+
+namespace sightline::bench {
+
+/// The median of independent samples with a distribution-free confidence interval: the true median lies between the
+/// k-th smallest and the k-th largest of n samples unless fewer than k of them fall on one side of it, and each falls
+/// on either side with probability 1/2. So no normality is assumed, which times do not have.
+///   low <= median <= high, and both are samples.
+struct Estimate {
+  double median = 0;
+  double low = 0;
+  double high = 0;
+  double confidence = 0;  ///< That the true median lies in [low, high]; below 0.95 only where these are min and max.
+};
+
+/// The narrowest interval of that kind with a confidence of 0.95; that of smallest and largest where none has it.
+/// \throws std::invalid_argument without samples.
+Estimate estimate(std::vector<double> samples);
+
+/// A number with as many digits as its interval bears, at most `significant`: 0.2137 within +-0.03 is "0.21".
+std::string measured_text(const Estimate& value, int significant = 3);
+
+/// A number that is known exactly, to `significant` digits, without an exponent.
+std::string number_text(double value, int significant = 3);
+
+/// 47794 as "47,794".
+std::string count_text(std::size_t count);
+
+}  // namespace sightline::bench

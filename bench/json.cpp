@@ -1,0 +1,127 @@
+#include "bench/json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace sightline::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const std::optional<Estimate>& value) {
+  if (!value) return nullptr;
+  return {{"median", value->median}, {"low", value->low}, {"high", value->high}, {"confidence", value->confidence}};
+}
+
+Json median_of(const std::optional<Estimate>& value) { return value ? Json(value->median) : Json(nullptr); }
+Json interval_of(const std::optional<Estimate>& value) {
+  return value ? Json::array({value->low, value->high}) : Json(nullptr);
+}
+
+Json raw_rounds(const Measurement& own) {
+  Json list = Json::array();
+  for (const double seconds : own.round_seconds) list.push_back(std::isnan(seconds) ? Json(nullptr) : Json(seconds));
+  return list;
+}
+
+Json json_of(const Machine& machine) {
+  return {{"processor", machine.processor},
+          {"hardware_threads", machine.hardware_threads},
+          {"load", machine.load < 0 ? Json(nullptr) : Json(machine.load)},
+          {"system", machine.system},
+          {"compiler", machine.compiler},
+          {"flags", machine.flags},
+          {"build_type", machine.build_type},
+          {"assertions", machine.has_assertions},
+          {"versions",
+           {{"sightline", machine.sightline_version},
+            {"embree", machine.embree_version},
+            {"google_benchmark", machine.google_benchmark_version},
+            {"tbb", machine.tbb_version}}}};
+}
+
+Json json_of(const Plan& plan) {
+  Json workloads = Json::array();
+  for (const Workload w : plan.workloads) workloads.push_back(workload_infos[index_of(w)].name);
+  return {{"rays", plan.rays},
+          {"rounds", plan.rounds},
+          {"build_threads", plan.threads},
+          {"workloads", workloads},
+          {"slot_seconds", plan.slot_seconds}};
+}
+
+Json traced_json(const ContenderReport& contender, const Measurement& own) {
+  const auto rate = own.mrays_per_second();
+  Json json{{"rays", own.rays},
+            {"hit_share", own.hit_share},
+            {"mrays_per_second", median_of(rate)},
+            {"mrays_per_second_interval", interval_of(rate)},
+            {"ratio_to_embree", median_of(own.ratio)},
+            {"ratio_to_embree_interval", interval_of(own.ratio)},
+            {"confidence", own.seconds ? Json(own.seconds->confidence) : Json(nullptr)}};
+  const auto per_ray = [&](std::uint64_t TraversalStats::*member) {
+    if (!own.stats || own.rays == 0) return Json(nullptr);
+    return Json(static_cast<double>((*own.stats).*member) / static_cast<double>(own.rays));
+  };
+  json["nodes_per_ray"] = per_ray(&TraversalStats::nodes);
+  json["leaves_per_ray"] = per_ray(&TraversalStats::leaves);
+  json["candidates_per_ray"] = per_ray(&TraversalStats::candidates);
+  json["culled_per_ray"] = per_ray(&TraversalStats::culled);
+  if (contender.kind == Contender::Kind::peer) json["disagreeing_rays"] = own.disagreeing_rays;
+  json["first_pass_seconds"] = own.first_pass_seconds;
+  json["next_pass_seconds"] = own.next_pass_seconds;
+  json["iterations"] = own.iterations;
+  json["round_seconds"] = raw_rounds(own);
+  return json;
+}
+
+Json json_of(const ContenderReport& contender, std::size_t triangles) {
+  const bool is_peer = contender.kind == Contender::Kind::peer;
+  Json json{{"name", contender.name}, {"kind", is_peer ? "peer" : "ours"}};
+  json["accelerator"] = is_peer ? Json(nullptr) : Json(contender.accelerator);
+  json["options"] = Json::object();
+  for (const auto& [name, value] : contender.options) json["options"][name] = value;
+  json["lazy"] = contender.is_lazy();
+  json["bytes"] = {{"structure", contender.bytes.structure},
+                   {"leaves", contender.bytes.leaves ? Json(*contender.bytes.leaves) : Json(nullptr)},
+                   {"total", contender.bytes.total()},
+                   {"total_when_built", contender.bytes_when_built}};
+  json["bytes_per_primitive"] =
+      triangles == 0 ? Json(nullptr)
+                     : Json(static_cast<double>(contender.bytes.total()) / static_cast<double>(triangles));
+  const auto& build = contender.at[index_of(Workload::build)];
+  json["build_seconds"] = build ? json_of(build->seconds) : Json(nullptr);
+  if (build && build->seconds) {
+    json["build_seconds"]["ratio_to_embree"] = median_of(build->ratio);
+    json["build_seconds"]["iterations"] = build->iterations;
+    json["build_seconds"]["round_seconds"] = raw_rounds(*build);
+  }
+  json["workloads"] = Json::object();
+  for (const WorkloadInfo& info : workload_infos) {
+    const auto& own = contender.at[index_of(info.workload)];
+    if (own && info.workload != Workload::build)
+      json["workloads"][std::string(info.name)] = traced_json(contender, *own);
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string json_text(const Report& report) {
+  Json json{{"schema", "sightline-bench 1"}, {"date", report.machine.date}};
+  json["machine"] = json_of(report.machine);
+  json["plan"] = json_of(report.plan);
+  json["scenes"] = Json::array();
+  for (const SceneReport& scene : report.scenes) {
+    Json entry{
+        {"name", scene.name}, {"triangles", scene.triangles}, {"rays_verified_by_brute_force", scene.sampled_rays}};
+    entry["contenders"] = Json::array();
+    for (const ContenderReport& contender : scene.contenders) {
+      entry["contenders"].push_back(json_of(contender, scene.triangles));
+    }
+    json["scenes"].push_back(entry);
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace sightline::bench

@@ -1,0 +1,97 @@
+/// sightline-bench: the structures of the registry and Embree, timed side by side. See README.md.
+
+#include <cstdio>
+#include <exception>
+
+#include "bench/command_line.h"
+#include "bench/json.h"
+#include "bench/rounds.h"
+#include "bench/table.h"
+#include "sightline/io/file_error.h"
+#include "sightline/io/output_file.h"
+#include "sightline/scene/scenes.h"
+
+namespace sightline::bench {
+namespace {
+
+struct NamedMesh {
+  std::string name;
+  std::shared_ptr<const TriangleMesh> mesh;
+};
+
+std::vector<NamedMesh> load_scenes(const Plan& plan, Progress& progress) {
+  std::vector<NamedMesh> meshes;
+  for (const std::string& scene : plan.scenes) {
+    progress.say("loading " + scene);
+    try {
+      meshes.push_back({scene, load_scene(scene, plan.data_dir)});
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(error.what());
+    }
+  }
+  if (!meshes.empty()) return meshes;
+  meshes.push_back({"teapot", load_scene("teapot", plan.data_dir)});
+  try {
+    meshes.push_back({"dragon:3", load_scene("dragon:3", plan.data_dir)});
+  } catch (const FileError&) {
+    std::fputs("sightline-bench: without the dragon, which data/fetch gets\n", stderr);
+  }
+  return meshes;
+}
+
+void print(const std::string& text) {
+  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
+    throw std::runtime_error("standard output cannot be written");
+  }
+}
+
+int run(const CommandLine& line) {
+  try {
+    set_google_flags(line.google_flags);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+  if (!line.json.empty()) OutputFile{line.json};  // refuses now what could not be written at the end
+
+  Progress progress;
+  Report report{this_machine(), line.plan, {}};
+  const std::vector<NamedMesh> meshes = load_scenes(line.plan, progress);
+  const Contenders contenders = make_contenders(line.plan);
+  std::vector<Stage> stages;
+  stages.reserve(meshes.size());
+  for (const auto& [name, mesh] : meshes) stages.emplace_back(line.plan, name, mesh, contenders, progress);
+
+  bool is_first = true;
+  const std::size_t count = run_rounds(stages, line.plan, progress, [&](const SceneReport& scene) {
+    if (is_first) print(head_text(report.machine, line.plan));
+    is_first = false;
+    print('\n' + table_text(scene, line.plan));
+  });
+  progress.clear();
+  if (count == 0) return 0;  // Google Benchmark was asked to list only, or for nothing that there is
+  if (line.json.empty()) return 0;
+  for (const Stage& stage : stages) report.scenes.push_back(stage.report());
+  write_text(line.json, json_text(report));
+  return 0;
+}
+
+}  // namespace
+}  // namespace sightline::bench
+
+int main(int argc, char** argv) {
+  using namespace sightline::bench;
+  try {
+    const CommandLine line = parse_command_line(argc, argv);
+    if (!line.help.empty()) {
+      print(line.help);
+      return 0;
+    }
+    return run(line);
+  } catch (const UsageError& error) {
+    std::fprintf(stderr, "sightline-bench: %s\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "sightline-bench: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,66 @@
+#pragma once
+/// What a run is asked to do.
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sightline/query/tracer.h"
+
+namespace sightline::bench {
+
+enum class Workload { build, primary, bounce, shadow };
+
+struct WorkloadInfo {
+  Workload workload;
+  std::string_view name;
+  std::string_view description;
+};
+inline constexpr std::array<WorkloadInfo, 4> workload_infos{{
+    {Workload::build, "build", "from the mesh to a structure that is ready to be asked, with --threads threads"},
+    {Workload::primary, "primary", "closest hit of camera rays, pixel by pixel: neighbours take the same way"},
+    {Workload::bounce, "bounce", "closest hit of diffuse reflections: cosine-distributed, every ray its own way"},
+    {Workload::shadow, "shadow", "any hit of rays from the surface to points on a lamp above the scene"},
+}};
+inline constexpr std::size_t workload_count = workload_infos.size();
+inline constexpr std::size_t index_of(Workload workload) { return static_cast<std::size_t>(workload); }
+
+/// A structure of the registry, under the name that the report gives it.
+struct StructureChoice {
+  std::string label;
+  std::string accelerator;
+  TracerSettings settings;
+};
+
+struct Plan {
+  std::vector<std::string> scenes;
+  std::vector<StructureChoice> structures;
+  std::vector<Workload> workloads{Workload::build, Workload::primary, Workload::bounce, Workload::shadow};
+  std::size_t rays = 100'000;  ///< Of each workload.
+  int rounds = 9;
+  int threads = 0;  ///< To build with; 0 for as many as there are.
+  std::filesystem::path data_dir;
+  std::string spoiled;  ///< Label of a structure whose hits are made wrong on purpose; usually empty.
+
+  /// A contender runs its rays as often as fills this in a round, so that the clock's grain does not count.
+  double slot_seconds = 0.05;
+  /// One that would need longer than this for all its rounds of a workload takes part in fewer.
+  double ray_seconds = 4;
+  double build_seconds = 6;
+  /// How many ray-triangle tests brute force may spend: on verifying a workload, and on one timed round.
+  double oracle_tests = 2e8;
+  double brute_force_tests = 2e7;
+
+  bool has(Workload workload) const {
+    for (const Workload w : workloads) {
+      if (w == workload) return true;
+    }
+    return false;
+  }
+};
+
+inline constexpr int fewest_ray_rounds = 3;
+
+}  // namespace sightline::bench

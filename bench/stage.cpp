@@ -1,0 +1,184 @@
+#include "bench/stage.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <utility>
+
+#include "bench/checks.h"
+#include "bench/peers/embree.h"
+
+namespace sightline::bench {
+namespace {
+
+struct Elapsed {
+  double real;
+  double own;  ///< Of this thread on a processor.
+};
+
+Elapsed elapsed_by(const auto& work) {
+  const auto own_seconds = [] {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  };
+  const auto start = std::chrono::steady_clock::now();
+  const double own_start = own_seconds();
+  work();
+  const double own = own_seconds() - own_start;
+  return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), own};
+}
+
+bool is_closest(Workload workload) { return workload != Workload::shadow; }
+
+/// How often, and in how many rounds, something that takes `pass_seconds` is run.
+void schedule(Measurement& own, double pass_seconds, double slot, double budget, int rounds, int fewest_rounds) {
+  own.pass_seconds = pass_seconds;
+  own.iterations = static_cast<int>(std::clamp(std::ceil(slot / pass_seconds), 1.0, 1e6));
+  const double affordable = std::clamp(budget / (own.iterations * pass_seconds), 0.0, static_cast<double>(rounds));
+  own.rounds = std::min(rounds, std::max(fewest_rounds, static_cast<int>(affordable)));
+  own.round_seconds.assign(static_cast<std::size_t>(rounds), std::numeric_limits<double>::quiet_NaN());
+}
+
+/// The registry's first structure that divides anything; all of ours are compared with it.
+std::string_view reference_name() {
+  for (const AcceleratorInfo& info : accelerator_infos()) {
+    if (info.name != oracle_name) return info.name;
+  }
+  return oracle_name;
+}
+
+}  // namespace
+
+Contenders make_contenders(const Plan& plan) {
+  Contenders contenders;
+  for (const StructureChoice& choice : plan.structures) {
+    TracerSettings settings = choice.settings;
+    settings.threads = plan.threads;
+    contenders.push_back(make_structure(choice.label, choice.accelerator, settings));
+    if (choice.label == plan.spoiled) contenders.back() = spoil(std::move(contenders.back()));
+  }
+  contenders.push_back(make_embree(EmbreeMode::standard, plan.threads));
+  contenders.push_back(make_embree(EmbreeMode::robust, plan.threads));
+  return contenders;
+}
+
+Stage::Stage(const Plan& plan, const std::string& scene, std::shared_ptr<const TriangleMesh> mesh,
+             const Contenders& contenders, Progress& progress)
+    : plan_(plan), mesh_(std::move(mesh)), contenders_(contenders) {
+  report_.name = scene;
+  report_.triangles = mesh_->size();
+  build_all(progress);
+
+  progress.say(report_.name + ": making rays");
+  TracerSettings settings;
+  settings.threads = plan_.threads;
+  const auto reference = make_structure("", std::string(reference_name()), settings)->build(mesh_);
+  const auto oracle = make_structure("", std::string(oracle_name), settings)->build(mesh_);
+  rays_ = make_rays(*mesh_, plan_.rays, [&](auto rays, auto hits) { reference->closest_hits(rays, hits); });
+  std::size_t most = 0;
+  for (const auto& rays : rays_) most = std::max(most, rays.size());
+  hits_.resize(most);
+  is_hit_.resize(most);
+  // A structure that is only built has to be a right one all the same.
+  const bool is_built_only = plan_.workloads == std::vector{Workload::build};
+  for (const Workload workload : is_built_only ? std::vector{Workload::primary} : plan_.workloads) {
+    if (workload == Workload::build) continue;
+    if (is_closest(workload)) {
+      verify<Hit<float>>(workload, *reference, *oracle, progress);
+    } else {
+      verify<std::uint8_t>(workload, *reference, *oracle, progress);
+    }
+  }
+  for (std::size_t c = 0; c < contenders_.size(); ++c) {
+    report_.contenders[c].bytes = built_[c]->bytes();
+    if (is_built_only) report_.contenders[c].at[index_of(Workload::primary)].reset();
+  }
+}
+
+void Stage::build_all(Progress& progress) {
+  for (std::size_t c = 0; c < contenders_.size(); ++c) {
+    const Contender& contender = *contenders_[c];
+    progress.say(report_.name + ": building " + contender.name());
+    const double seconds = elapsed_by([&] { built_.push_back(contender.build(mesh_)); }).real;
+    ContenderReport report;
+    report.name = contender.name();
+    report.kind = contender.kind();
+    report.is_brute_force = contender.is_brute_force();
+    if (c < plan_.structures.size()) {
+      report.accelerator = plan_.structures[c].accelerator;
+      report.options = plan_.structures[c].settings.options;
+    }
+    report.bytes_when_built = built_[c]->bytes().total();
+    if (plan_.has(Workload::build)) {
+      Measurement& own = report.at[index_of(Workload::build)].emplace();
+      own.rays = 1;
+      own.first_pass_seconds = seconds;
+      schedule(own, seconds, plan_.slot_seconds, plan_.build_seconds, plan_.rounds, 1);
+    }
+    report_.contenders.push_back(std::move(report));
+  }
+}
+
+template <class Answer>
+void Stage::verify(Workload workload, const Built& reference, const Built& oracle, Progress& progress) {
+  const std::size_t w = index_of(workload);
+  const std::span<const Ray<float>> rays = rays_[w];
+  const auto affordable = [&](double tests) {
+    return static_cast<std::size_t>(std::max(16.0, tests / std::max(1u, mesh_->size())));
+  };
+  const std::vector<std::size_t> few = pick(rays.size(), affordable(plan_.brute_force_tests));
+  for (const std::size_t i : few) few_rays_[w].push_back(rays[i]);
+
+  const std::string place = report_.name + ' ' + std::string(workload_infos[w].name);
+  progress.say("verifying " + place + ": " + std::string(oracle_name));
+  const std::vector<std::size_t> sample = pick(rays.size(), affordable(plan_.oracle_tests));
+  report_.sampled_rays = std::max(report_.sampled_rays, sample.size());
+  const Checks<Answer> checks(place, *mesh_, rays, reference, oracle, sample);
+
+  std::vector<Answer> answers, counted_answers;
+  for (std::size_t c = 0; c < contenders_.size(); ++c) {
+    const Contender& contender = *contenders_[c];
+    progress.say("verifying " + place + ": " + contender.name());
+    Measurement& own = report_.contenders[c].at[w].emplace();
+    const std::span<const Ray<float>> own_rays = rays_of(c, workload);
+    own.rays = own_rays.size();
+    own.hit_share = checks.hit_share();
+    answers.assign(own_rays.size(), Answer{});
+    const Elapsed first = elapsed_by([&] { ask(*built_[c], own_rays, std::span<Answer>(answers)); });
+    own.first_pass_seconds = own.next_pass_seconds = first.real;
+    double pass_seconds = first.own;
+    if (contender.kind() == Contender::Kind::peer) {
+      own.disagreeing_rays = checks.disagreeing(answers);
+    } else {
+      const std::span<const std::size_t> indices =
+          contender.is_brute_force() ? std::span(few) : std::span(few).first(0);
+      checks.require_right(contender.name(), answers, indices);
+      counted_answers.assign(own_rays.size(), Answer{});
+      const Elapsed next =
+          elapsed_by([&] { own.stats = count(*built_[c], own_rays, std::span<Answer>(counted_answers)); });
+      own.next_pass_seconds = next.real;
+      pass_seconds = std::min(pass_seconds, next.own);
+      checks.require_right(contender.name() + " (while counting)", counted_answers, indices);
+    }
+    if (own.rays > 0) {
+      schedule(own, pass_seconds, plan_.slot_seconds, plan_.ray_seconds, plan_.rounds, fewest_ray_rounds);
+    }
+  }
+}
+
+std::span<const Ray<float>> Stage::rays_of(std::size_t c, Workload workload) const {
+  return (contenders_[c]->is_brute_force() ? few_rays_ : rays_)[index_of(workload)];
+}
+
+void Stage::trace(std::size_t c, Workload workload) {
+  const std::span<const Ray<float>> rays = rays_of(c, workload);
+  if (is_closest(workload)) {
+    ask(*built_[c], rays, std::span(hits_).first(rays.size()));
+  } else {
+    ask(*built_[c], rays, std::span(is_hit_).first(rays.size()));
+  }
+}
+
+}  // namespace sightline::bench

@@ -1,0 +1,245 @@
+#include "bench/table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace sightline::bench {
+namespace {
+
+std::string name_of(Workload workload) { return std::string(workload_infos[index_of(workload)].name); }
+
+std::string plural(std::size_t count, const std::string& word) {
+  return count_text(count) + ' ' + word + (count == 1 ? "" : "s");
+}
+
+std::string percent_text(double share) { return number_text(100 * share, 2) + " %"; }
+
+std::string thread_text(int threads) {
+  return threads == 0 ? "all threads" : plural(static_cast<std::size_t>(threads), "thread");
+}
+
+std::string joined(const std::vector<std::string>& items) {
+  std::string text;
+  for (const std::string& item : items) text += (text.empty() ? "" : ", ") + item;
+  return text;
+}
+
+/// Columns of text, the first to the left, the others to the right, under two lines of headings. A heading that is
+/// the same as the one before it stands once, over the columns that share it.
+class TextTable {
+ public:
+  void add_column(std::string group, std::string heading) {
+    groups_.push_back(std::move(group));
+    rows_[0].push_back(std::move(heading));
+  }
+  void add_row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+
+  std::string text() const {
+    std::vector<std::size_t> widths(groups_.size(), 0);
+    for (const auto& row : rows_) {
+      for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+    }
+    std::string out, line;
+    for (std::size_t c = 0; c < groups_.size();) {
+      std::size_t width = widths[c], end = c + 1;
+      for (; end < groups_.size() && groups_[end] == groups_[c]; ++end) width += gap + widths[end];
+      // A group's heading may be wider than its columns: then the first of them grows.
+      if (groups_[c].size() > width) widths[c] += groups_[c].size() - width, width = groups_[c].size();
+      line += (c == 0 ? "" : std::string(gap, ' ')) + std::string(width - groups_[c].size(), ' ') + groups_[c];
+      c = end;
+    }
+    out += trimmed(line);
+    for (const auto& row : rows_) {
+      line.clear();
+      for (std::size_t c = 0; c < row.size(); ++c) {
+        const std::string padding(widths[c] - row[c].size(), ' ');
+        line += c == 0 ? row[c] + padding : std::string(gap, ' ') + padding + row[c];
+      }
+      out += trimmed(line);
+    }
+    return out;
+  }
+
+ private:
+  static constexpr std::size_t gap = 2;
+  static std::string trimmed(std::string line) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line + '\n';
+  }
+
+  std::vector<std::string> groups_;
+  std::vector<std::vector<std::string>> rows_{1};
+};
+
+Estimate scaled(const Estimate& value, double factor) {
+  return {factor * value.median, factor * value.low, factor * value.high, value.confidence};
+}
+
+std::vector<Workload> ray_workloads(const Plan& plan) {
+  std::vector<Workload> list;
+  std::copy_if(plan.workloads.begin(), plan.workloads.end(), std::back_inserter(list),
+               [](Workload w) { return w != Workload::build; });
+  return list;
+}
+
+void add_rows(TextTable& table, const SceneReport& scene, const Plan& plan) {
+  const std::vector<Workload> traced = ray_workloads(plan);
+  for (const ContenderReport& contender : scene.contenders) {
+    std::vector<std::string> row{contender.name};
+    if (plan.has(Workload::build)) {
+      const Measurement& build = *contender.at[index_of(Workload::build)];
+      row.push_back(build.seconds ? measured_text(scaled(*build.seconds, 1e3)) : "-");
+    }
+    row.push_back(scene.triangles == 0 ? "-"
+                                       : number_text(static_cast<double>(contender.bytes.total()) /
+                                                     static_cast<double>(scene.triangles)));
+    for (const Workload w : traced) {
+      const Measurement& own = *contender.at[index_of(w)];
+      const auto rate = own.mrays_per_second();
+      row.push_back(rate ? measured_text(*rate) : "-");
+      row.push_back(own.ratio ? '(' + measured_text(*own.ratio) + "x)" : "");
+    }
+    if (!traced.empty()) {
+      const Measurement& first = *contender.at[index_of(traced.front())];
+      const double rays = static_cast<double>(first.rays);
+      const bool is_counted = first.stats && first.rays > 0;
+      row.push_back(is_counted ? number_text(static_cast<double>(first.stats->nodes) / rays) : "-");
+      row.push_back(is_counted ? number_text(static_cast<double>(first.stats->candidates) / rays) : "-");
+    }
+    table.add_row(std::move(row));
+  }
+}
+
+/// Of the contenders that were asked all.
+std::size_t rays_at(const SceneReport& scene, Workload workload) {
+  std::size_t rays = 0;
+  for (const ContenderReport& contender : scene.contenders) {
+    rays = std::max(rays, contender.at[index_of(workload)]->rays);
+  }
+  return rays;
+}
+
+/// Which rays there were, and how many of them hit.
+std::string rays_line(const SceneReport& scene, const Plan& plan) {
+  std::vector<std::string> parts;
+  for (const Workload w : ray_workloads(plan)) {
+    const std::size_t rays = rays_at(scene, w);
+    const double share = scene.contenders.empty() ? 0 : scene.contenders[0].at[index_of(w)]->hit_share;
+    parts.push_back(count_text(rays) + ' ' + name_of(w) + (rays == 0 ? "" : " (" + percent_text(share) + " hit)"));
+  }
+  return parts.empty() ? "" : "; rays: " + joined(parts);
+}
+
+/// What was verified, and where the peers found something else.
+std::string verification_note(const SceneReport& scene, const Plan& plan) {
+  std::string text = "Hits: ours have the same bits on all rays, and brute force's on " +
+                     count_text(scene.sampled_rays) + " of each kind.\n";
+  for (const ContenderReport& contender : scene.contenders) {
+    if (contender.kind != Contender::Kind::peer || ray_workloads(plan).empty()) continue;
+    std::vector<std::string> parts;
+    for (const Workload w : ray_workloads(plan)) {
+      const Measurement& own = *contender.at[index_of(w)];
+      if (own.disagreeing_rays == 0) continue;
+      const double share = static_cast<double>(own.disagreeing_rays) / static_cast<double>(own.rays);
+      parts.push_back(count_text(own.disagreeing_rays) + ' ' + name_of(w) + " (" + percent_text(share) + ')');
+    }
+    text += "      " + contender.name +
+            (parts.empty() ? " agrees on all rays, within its rounding.\n"
+                           : " finds others, beyond its rounding: " + joined(parts) + ".\n");
+  }
+  return text;
+}
+
+/// How many rounds stand behind the figures, and how far they scatter.
+std::string rounds_note(const SceneReport& scene, const Plan& plan) {
+  std::vector<std::string> fewer;
+  const Estimate* widest = nullptr;
+  std::string widest_name;
+  for (const ContenderReport& contender : scene.contenders) {
+    for (const Workload w : plan.workloads) {
+      const Measurement& own = *contender.at[index_of(w)];
+      if (own.rounds < plan.rounds && own.rays > 0) {
+        fewer.push_back(contender.name + ' ' + name_of(w) + ' ' + std::to_string(own.rounds));
+      }
+      if (!own.ratio || w == Workload::build || contender.is_brute_force || own.rounds < 2) continue;
+      const auto width = [](const Estimate& e) { return (e.high - e.low) / e.median; };
+      if (!widest || width(*own.ratio) > width(*widest)) {
+        widest = &*own.ratio;
+        widest_name = contender.name + ' ' + name_of(w);
+      }
+    }
+  }
+  std::string text = "Times: medians of " + plural(static_cast<std::size_t>(plan.rounds), "round") +
+                     (fewer.empty() ? "" : "; fewer of the slow: " + joined(fewer)) + ".\n";
+  if (widest && widest->high > widest->low) {
+    char interval[64];
+    std::snprintf(interval, sizeof interval, "%.3g to %.3g", widest->low, widest->high);
+    text += "       Least certain ratio: " + widest_name + ", " + interval + " (" +
+            number_text(100 * widest->confidence, 2) + " % interval).\n";
+  }
+  return text;
+}
+
+std::string oddities_note(const SceneReport& scene, const Plan& plan) {
+  std::string text;
+  for (const ContenderReport& contender : scene.contenders) {
+    if (contender.is_brute_force) {
+      std::size_t most = 0, all = 0;
+      for (const Workload w : ray_workloads(plan)) {
+        most = std::max(most, contender.at[index_of(w)]->rays);
+        all = std::max(all, rays_at(scene, w));
+      }
+      if (most < all)
+        text += contender.name + " is timed with " + count_text(most) + " rays of each kind, picked at random.\n";
+    }
+    if (contender.is_lazy() && !ray_workloads(plan).empty()) {
+      const Measurement& own = *contender.at[index_of(ray_workloads(plan).front())];
+      const double extra = own.first_pass_seconds - own.next_pass_seconds;
+      text += contender.name + " goes on building while it is asked: the first pass of " +
+              name_of(ray_workloads(plan).front()) + " rays took " + number_text(1e3 * std::max(0.0, extra), 2) +
+              " ms longer than the next.\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string head_text(const Machine& machine, const Plan& plan) {
+  std::string text = "Sightline " + machine.sightline_version + " beside Embree " + machine.embree_version + ", on " +
+                     machine.processor + " (" + plural(machine.hardware_threads, "hardware thread") + ")\n" +
+                     machine.compiler + ' ' + machine.flags + '\n';
+  if (machine.has_assertions) text += "Assertions are on in this build: its times say little.\n";
+  if (machine.load >= 0.5 * machine.hardware_threads) {
+    text += "Other programs are running (load " + number_text(machine.load, 2) + "): expect wide intervals.\n";
+  }
+  text +=
+      "\nMrays/s  million rays a second, one by one on one thread; (0.25x): a quarter of Embree's speed, paired by "
+      "round\n"
+      "B/tri    bytes a triangle takes: nodes, leaf order, copies in the leaves\n";
+  if (plan.has(Workload::build)) text += "build    with " + thread_text(plan.threads) + '\n';
+  return text;
+}
+
+std::string table_text(const SceneReport& scene, const Plan& plan) {
+  TextTable table;
+  const std::vector<Workload> traced = ray_workloads(plan);
+  table.add_column("", "structure");
+  if (plan.has(Workload::build)) table.add_column("build", "ms");
+  table.add_column("memory", "B/tri");
+  for (const Workload w : traced) {
+    table.add_column(name_of(w), "Mrays/s");
+    table.add_column(name_of(w), "(xEmbree)");
+  }
+  if (!traced.empty()) {
+    table.add_column("per " + name_of(traced.front()) + " ray", "nodes");
+    table.add_column("per " + name_of(traced.front()) + " ray", "candidates");
+  }
+  add_rows(table, scene, plan);
+  return scene.name + ": " + plural(scene.triangles, "triangle") + rays_line(scene, plan) + "\n\n" + table.text() +
+         '\n' + verification_note(scene, plan) + rounds_note(scene, plan) + oddities_note(scene, plan);
+}
+
+}  // namespace sightline::bench
