@@ -1,0 +1,189 @@
+/// sightline-view: how a structure divides a scene, as a window, a picture or data.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+
+#include "sightline/io/output_file.h"
+#include "sightline/scene/scenes.h"
+#include "viz/cell_export.h"
+#include "viz/partition_window.h"
+#include "viz/structure.h"
+#include "viz/view_options.h"
+#include "viz/virtual_screen.h"
+
+namespace sightline::viz {
+namespace {
+
+constexpr int success = 0, failure = 1, wrong_usage = 2;
+
+constexpr const char* about = R"(Draws how a structure divides space, or lists what there is to draw.
+
+Examples
+  sightline-view list
+  sightline-view partitions --accel kd-tree --scene teapot
+      opens a window: drag to turn, wheel to come closer, Up and Down for the depth
+  sightline-view partitions --accel kd-tree --scene dragon:3 --out kd.png
+      writes a picture; needs no display
+  sightline-view partitions --accel box-tree --scene dragon:3 --depth 5:7 --out boxes.png
+      only the boxes of the depths 5, 6 and 7
+  sightline-view partitions --accel bsp-tree --scene teapot --slice z=0.5 --out cut.png
+      the cells that the middle plane cuts, and their sections
+  sightline-view partitions --accel kd-tree --scene teapot --leaves --set max_leaf_size=16 --out leaves.vtp
+      the leaves of a coarser tree as data, for ParaView
+
+Exit status: 0 done, 1 failure, 2 wrong usage.)";
+
+struct Arguments {
+  std::string accelerator, scene, out, depth, slice, size = "1200x900", data = SIGHTLINE_DATA_DIR;
+  std::vector<std::string> settings;
+  bool leaves = false;
+  std::size_t max_cells = CellFilter{}.max_cells;
+  double azimuth = 0, elevation = 0, zoom = 1;
+};
+
+int list() {
+  std::cout << "accelerators\n";
+  for (const AcceleratorInfo& info : accelerator_infos()) {
+    std::printf("  %-14s %s\n", std::string(info.name).c_str(), std::string(info.description).c_str());
+    for (const auto& option : info.options) {
+      std::printf("      --set %s=%s: %s (%s)\n", std::string(option.name).c_str(), option.default_value.c_str(),
+                  std::string(option.help).c_str(), option.allowed.c_str());
+    }
+  }
+  std::printf("scenes\n");
+  for (const SceneInfo& info : scene_infos()) {
+    std::printf("  %-14s %s\n", (std::string(info.name) + ":" + std::to_string(info.default_size)).c_str(),
+                std::string(info.description).c_str());
+  }
+  std::printf("  %-14s %s\n", "FILE", "a mesh: OBJ, PLY, STL, OFF or glTF");
+  return success;
+}
+
+/// Everything that can be refused is refused before the scene is read, so that nobody waits for an error.
+int show_partitions(const Arguments& arguments, const CLI::App& command) {
+  const OutputKind kind = output_kind(arguments.out);
+  TracerSettings settings;
+  for (const std::string& text : arguments.settings) settings.options.push_back(parse_option(text));
+  check_structure(arguments.accelerator, settings);
+
+  CellFilter filter;
+  filter.leaves_only = arguments.leaves;
+  filter.max_cells = arguments.max_cells;
+  if (!arguments.depth.empty()) {
+    const DepthRange range = parse_depth(arguments.depth);
+    filter.shallowest = range.shallowest;
+    filter.deepest = range.deepest;
+  }
+  if (!arguments.slice.empty()) filter.slice = parse_slice(arguments.slice);
+  View view;
+  if (command.count("--azimuth")) view.azimuth = arguments.azimuth;
+  if (command.count("--elevation")) view.elevation = arguments.elevation;
+  view.zoom = arguments.zoom;
+  const PictureSize size = parse_size(arguments.size);
+  view.width = size.width;
+  view.height = size.height;
+  if (kind == OutputKind::window && !has_display()) {
+    throw ScreenError("no display to open a window on; write a file instead: --out FILE.png, .vtp or .gltf");
+  }
+  if (kind != OutputKind::window) OutputFile(arguments.out);  // says now whether it can be written
+  std::optional<PictureScreen> screen;
+  if (kind == OutputKind::png) screen.emplace();
+
+  const auto mesh = load_scene(arguments.scene, arguments.data);
+  const auto tracer = make_tracer(arguments.accelerator, mesh, settings);
+  wake_lazy_cells(*tracer);
+  if (arguments.depth.empty() && arguments.slice.empty() && !arguments.leaves) suit_filter(*tracer, filter);
+  const Caption caption = caption_of(*tracer, arguments.scene);
+  const Partition partition = select_cells(*tracer, filter);
+  if (partition.cells.empty()) {
+    throw std::runtime_error(arguments.accelerator + " on " + arguments.scene + ": none of its " +
+                             with_commas(partition.total) + " cells (depth 0 to " +
+                             std::to_string(partition.total_deepest) + ") match");
+  }
+  const PartitionPicture picture{*mesh, partition, filter.slice, caption, view};
+  switch (kind) {
+    case OutputKind::window:
+      open_partition_window(*tracer, filter, picture);
+      return success;
+    case OutputKind::png:
+      picture.write_png(arguments.out);
+      break;
+    case OutputKind::vtp:
+      write_vtp(arguments.out, partition);
+      break;
+    case OutputKind::gltf:
+      write_gltf(arguments.out, partition, *mesh);
+      break;
+  }
+  std::cerr << arguments.out << ": " << summary(partition) << '\n';
+  return success;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app(about, "sightline-view");
+  app.require_subcommand(1);
+  Arguments arguments;
+  app.add_option("--data", arguments.data, "Folder of scene data")->option_text("DIR");
+  CLI::App* listing = app.add_subcommand("list", "The accelerators with their options, and the scenes");
+  CLI::App* command = app.add_subcommand("partitions", "The cells of a structure over the mesh");
+  command->fallthrough();
+  listing->fallthrough();
+  command->add_option("--accel", arguments.accelerator, "The structure; see `list`")->required()->option_text("NAME");
+  command->add_option("--scene", arguments.scene, "A scene of `list`, with or without :SIZE, or a mesh file")
+      ->required()
+      ->option_text("SCENE");
+  command->add_option("--set", arguments.settings, "An option of the structure; may be repeated")
+      ->option_text("OPTION=VALUE")
+      ->expected(1)
+      ->take_all();
+  command->add_option("--depth", arguments.depth, "Depths to show, the root's is 0; default: as many as read well")
+      ->option_text("MIN:MAX");
+  command->add_flag("--leaves", arguments.leaves, "Leaves only, of all depths");
+  command
+      ->add_option("--slice", arguments.slice,
+                   "The cells that a plane cuts, drawn as sections; the position is a share of the extent")
+      ->option_text("AXIS=POSITION");
+  command->add_option("--max-cells", arguments.max_cells, "At most so many cells, the largest ones; default 4000")
+      ->check(CLI::Range(std::size_t(1), std::size_t(10'000'000)))
+      ->option_text("N");
+  command->add_option("--size", arguments.size, "Of the picture or window in pixels; default 1200x900")
+      ->option_text("WIDTHxHEIGHT");
+  command->add_option("--azimuth", arguments.azimuth, "Camera: degrees to the right of the front; default 24")
+      ->check(CLI::Range(-360.0, 360.0))
+      ->option_text("DEGREES");
+  command->add_option("--elevation", arguments.elevation, "Camera: degrees above the horizon; default 20")
+      ->check(CLI::Range(-90.0, 90.0))
+      ->option_text("DEGREES");
+  command->add_option("--zoom", arguments.zoom, "Camera: 1 shows everything, 2 comes twice as close")
+      ->check(CLI::Range(0.1, 100.0))
+      ->option_text("FACTOR");
+  command->add_option("--out", arguments.out, "A .png, .vtp or .gltf file instead of a window")->option_text("FILE");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(std::string(error.what()) + " (see --help)");
+  }
+  return listing->parsed() ? list() : show_partitions(arguments, *command);
+}
+
+}  // namespace
+}  // namespace sightline::viz
+
+int main(int argc, char** argv) {
+  const auto report = [](const std::exception& error, int status) {
+    std::cerr << "sightline-view: " << error.what() << '\n';
+    return status;
+  };
+  try {
+    return sightline::viz::run(argc, argv);
+  } catch (const sightline::viz::UsageError& error) {
+    return report(error, sightline::viz::wrong_usage);
+  } catch (const std::invalid_argument& error) {
+    return report(error, sightline::viz::wrong_usage);
+  } catch (const std::exception& error) {
+    return report(error, sightline::viz::failure);
+  }
+}

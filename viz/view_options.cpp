@@ -1,0 +1,85 @@
+#include "viz/view_options.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace sightline::viz {
+namespace {
+
+[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected) {
+  throw UsageError(option + " " + text + ": expected " + expected);
+}
+
+/// The whole of `text` as a number from `lowest` to `highest`; nothing where it is not one.
+template <class T>
+std::optional<T> number(std::string_view text, T lowest, T highest) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !(value >= lowest && value <= highest)) return {};
+  return value;
+}
+
+constexpr int deepest_depth = 1'000'000;
+
+}  // namespace
+
+DepthRange parse_depth(const std::string& text) {
+  const std::string expected = "MIN:MAX, MIN:, :MAX or one depth, whole numbers from 0, MIN not above MAX; as in 2:7";
+  const std::size_t colon = text.find(':');
+  DepthRange range;
+  const std::string low = text.substr(0, colon), high = colon == std::string::npos ? low : text.substr(colon + 1);
+  if (low.empty() && high.empty()) refuse("--depth", text, expected);
+  if (!low.empty()) {
+    const auto value = number(low, 0, deepest_depth);
+    if (!value) refuse("--depth", text, expected);
+    range.shallowest = *value;
+  }
+  if (!high.empty()) {
+    range.deepest = number(high, 0, deepest_depth);
+    if (!range.deepest || *range.deepest < range.shallowest) refuse("--depth", text, expected);
+  } else {
+    range.deepest = deepest_depth;
+  }
+  return range;
+}
+
+Slice parse_slice(const std::string& text) {
+  const std::string expected = "AXIS=POSITION, an axis x, y or z and a share of the extent from 0 to 1; as in y=0.5";
+  const std::string_view axes = "xyz";
+  if (text.size() < 3 || text[1] != '=' || axes.find(text[0]) == std::string_view::npos) {
+    refuse("--slice", text, expected);
+  }
+  const auto share = number(std::string_view(text).substr(2), 0.0, 1.0);
+  if (!share) refuse("--slice", text, expected);
+  return {static_cast<int>(axes.find(text[0])), *share};
+}
+
+TracerSettings::Option parse_option(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) refuse("--set", text, "OPTION=VALUE; as in max_leaf_size=8");
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+PictureSize parse_size(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  const auto width = number(std::string_view(text).substr(0, cross), 400, 4000);
+  const auto height =
+      cross == std::string::npos ? std::optional<int>() : number(std::string_view(text).substr(cross + 1), 300, 4000);
+  if (!width || !height) {
+    refuse("--size", text, "WIDTHxHEIGHT, from 400x300 to 4000x4000; as in 1200x900");
+  }
+  return {*width, *height};
+}
+
+OutputKind output_kind(const std::string& path) {
+  if (path.empty()) return OutputKind::window;
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".png") return OutputKind::png;
+  if (extension == ".vtp") return OutputKind::vtp;
+  if (extension == ".gltf") return OutputKind::gltf;
+  refuse("--out", path, "a name that ends in .png (picture), .vtp or .gltf (data)");
+}
+
+}  // namespace sightline::viz

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viz/partition_picture.h"
+
+namespace sightline::viz {
+
+/// A wrong command line: reported in one line, exit status 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct DepthRange {
+  int shallowest = 0;
+  std::optional<int> deepest;
+};
+
+/// "2:7", "2:", ":7" or "4". \throws UsageError
+DepthRange parse_depth(const std::string& text);
+/// "y=0.5". \throws UsageError
+Slice parse_slice(const std::string& text);
+/// "max_leaf_size=8". \throws UsageError
+TracerSettings::Option parse_option(const std::string& text);
+/// "1200x900". \throws UsageError
+struct PictureSize {
+  int width, height;
+};
+PictureSize parse_size(const std::string& text);
+
+/// What --out asks for, by the extension of its name.
+enum class OutputKind { window, png, vtp, gltf };
+/// \throws UsageError for an extension that is not known.
+OutputKind output_kind(const std::string& path);
+
+}  // namespace sightline::viz
