@@ -1,0 +1,105 @@
+#include "bench/report.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bench/json.h"
+#include "bench/table.h"
+
+namespace sightline::bench {
+namespace {
+
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+
+ContenderReport contender(std::string name, Contender::Kind kind, std::vector<double> seconds) {
+  ContenderReport report;
+  report.name = std::move(name);
+  report.kind = kind;
+  report.bytes = {.structure = 300, .leaves = std::nullopt};
+  report.bytes_when_built = 300;
+  Measurement& own = report.at[index_of(Workload::primary)].emplace();
+  own.rays = 1'000'000;
+  own.iterations = 1;
+  own.rounds = static_cast<int>(seconds.size());
+  own.round_seconds = std::move(seconds);
+  return report;
+}
+
+struct Example {
+  Example() {
+    scene.name = "teapot";
+    scene.triangles = 10;
+    scene.contenders.push_back(contender("kd-tree", Contender::Kind::ours, {2, 8, absent}));
+    scene.contenders.back().at[index_of(Workload::primary)]->stats = TraversalStats{5'000'000, 1'000'000, 2'500'000, 0};
+    scene.contenders.push_back(contender("embree", Contender::Kind::peer, {1, 2, 100}));
+    plan.workloads = {Workload::primary};
+    plan.rounds = 3;
+    summarize(scene);
+  }
+  SceneReport scene;
+  Plan plan;
+};
+
+/// The machine was four times slower in the second round; its ratio says nothing of that.
+TEST(Report, RatiosArePairedByRound) {
+  const Example example;
+  const Measurement& own = *example.scene.contenders[0].at[index_of(Workload::primary)];
+  EXPECT_EQ(own.ratio->median, 0.5 * (1.0 / 2 + 2.0 / 8));
+  EXPECT_EQ(own.ratio->low, 0.25);
+  EXPECT_EQ(own.ratio->high, 0.5);
+  EXPECT_EQ(own.mrays_per_second()->median, 0.2);
+  EXPECT_EQ(example.scene.contenders[1].at[index_of(Workload::primary)]->ratio->median, 1);
+}
+
+/// Fewer rays of one contender do not make it faster.
+TEST(Report, RatiosArePerRay) {
+  Example example;
+  example.scene.contenders[0].at[index_of(Workload::primary)]->rays = 1000;
+  summarize(example.scene);
+  EXPECT_DOUBLE_EQ(example.scene.contenders[0].at[index_of(Workload::primary)]->ratio->high, 0.0005);
+}
+
+TEST(Report, WithoutThePeerThereIsNoRatio) {
+  Example example;
+  example.scene.contenders.pop_back();
+  summarize(example.scene);
+  EXPECT_FALSE(example.scene.contenders[0].at[index_of(Workload::primary)]->ratio);
+  EXPECT_NE(table_text(example.scene, example.plan).find("kd-tree"), std::string::npos);
+}
+
+TEST(Report, JsonHoldsEverything) {
+  const Example example;
+  const auto json = nlohmann::json::parse(json_text({Machine{}, example.plan, {example.scene}}));
+  const auto& entry = json["scenes"][0]["contenders"][0];
+  EXPECT_EQ(json["scenes"][0]["name"], "teapot");
+  EXPECT_EQ(json["scenes"][0]["triangles"], 10);
+  EXPECT_EQ(entry["name"], "kd-tree");
+  EXPECT_EQ(entry["kind"], "ours");
+  EXPECT_EQ(entry["bytes_per_primitive"], 30);
+  EXPECT_TRUE(entry["build_seconds"].is_null());
+  const auto& primary = entry["workloads"]["primary"];
+  EXPECT_EQ(primary["mrays_per_second"], 0.2);
+  EXPECT_EQ(primary["ratio_to_embree"], 0.375);
+  EXPECT_EQ(primary["nodes_per_ray"], 5);
+  EXPECT_EQ(primary["leaves_per_ray"], 1);
+  EXPECT_EQ(primary["candidates_per_ray"], 2.5);
+  EXPECT_EQ(primary["round_seconds"], nlohmann::json::array({2, 8, nullptr}));
+  EXPECT_EQ(json["scenes"][0]["contenders"][1]["kind"], "peer");
+  EXPECT_TRUE(json["scenes"][0]["contenders"][1]["workloads"]["primary"]["nodes_per_ray"].is_null());
+}
+
+TEST(Report, TableIsAligned) {
+  const Example example;
+  const std::string text = table_text(example.scene, example.plan);
+  std::vector<std::size_t> ends;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("structure") || line.starts_with("kd-tree")) ends.push_back(line.size());
+  }
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_EQ(ends[0], ends[1]);
+}
+
+}  // namespace
+}  // namespace sightline::bench

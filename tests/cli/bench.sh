@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# The command line of sightline-bench. usage: bench.sh FOLDER_OF_PROGRAMS
+# shellcheck source=tests/cli/lib.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
+bench=$(realpath -- "${1:?usage: bench.sh FOLDER_OF_PROGRAMS}")/sightline-bench
+quick=(--quick --rays 500 --rounds 3 --scene soup:200)
+make_broken_meshes
+
+run "$bench" --help
+expect_exit 0
+expect_quiet
+for word in --accel --scene --json kd-tree teapot Embree; do expect_prints "$word"; done
+run "$bench" --list
+expect_exit 0
+expect_prints brute-force
+
+refuses 2 no-such-tree "$bench" --accel no-such-tree
+refuses 2 brute-force "$bench" --accel no-such-tree # the message lists what there is
+refuses 2 --no-such-option "$bench" --no-such-option
+refuses 2 no_such_field "$bench" --accel kd-tree:no_such_field=1
+refuses 2 kd-tree "$bench" --set kd-tree.max_leaf_size=-5
+refuses 2 max_leaf_size "$bench" --set kd-tree.max_leaf_size=nan
+refuses 2 expected "$bench" --set nonsense
+refuses 2 no-such-work "$bench" --workload no-such-work
+refuses 2 rays "$bench" --rays -1
+refuses 2 rays "$bench" --rays 1e99
+refuses 2 rounds "$bench" --rounds 0
+refuses 2 stray "$bench" stray
+refuses 2 soup "$bench" --scene soup:0
+refuses 2 soup "$bench" --scene soup:many
+refuses 1 no-such-file.ply "$bench" --scene no-such-file.ply
+while IFS= read -r mesh; do
+  refuses 1 "$(basename -- "$mesh")" "$bench" "${quick[@]:0:5}" --scene "$mesh" --json out.json
+done < <(broken_meshes)
+refuses 1 /dev/null "$bench" "${quick[@]}" --json /dev/null/out.json
+refuses 1 folder "$bench" "${quick[@]}" --json "$scratch"
+
+run "$bench" "${quick[@]}" --accel kd-tree,brute-force --json out.json
+expect_exit 0
+expect_prints kd-tree
+expect_prints embree
+expect_file out.json
+check 'only the file that was asked for' test "$(ls -A "$work")" = out.json
+run "$bench" "${quick[@]}" --accel kd-tree --self-check kd-tree --json out.json
+expect_exit 1
+expect_one_line
+expect_says kd-tree
+expect_no_file
+finish
