@@ -4,7 +4,7 @@
 set -euo pipefail
 cd -- "${1:?usage: house.sh ROOT}"
 
-top_level=' .ci .clang-format .clang-tidy .gitignore CMakeLists.txt CMakePresets.json LICENSE README.md bench data docs labs lib sightline tests viz '
+top_level=' .ci .clang-format .clang-tidy .gitignore CMakeLists.txt CMakePresets.json LICENSE README.md bench data labs lib sightline tests viz '
 folders_with_readme='lib bench viz tests data'
 longest_file=400        # lines
 largest_file=1048576    # bytes

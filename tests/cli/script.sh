@@ -100,8 +100,10 @@ case $1 in
     : >"$2/build/$4/build.ninja"
     { echo "CMAKE_HOME_DIRECTORY:INTERNAL=$2"; printf "%s:BOOL=ON\n" "${@:5}" | sed "s/^-D//; s/=ON:/:/"; } >"$2/build/$4/CMakeCache.txt" ;;
   --build)
-    printf "#!/bin/bash\nprintf \"<%%s>\" \"\$@\"; echo at \"\$PWD\"; exit 7\n" >"$2/bin/${!#}"
-    chmod +x "$2/bin/${!#}" ;;
+    for target in "${@:6}"; do
+      printf "#!/bin/bash\nprintf \"<%%s>\" \"\$@\"; echo at \"\$PWD\"; exit 7\n" >"$2/bin/$target"
+      chmod +x "$2/bin/$target"
+    done ;;
 esac'
 on_machine "$house/sightline" bench 'two words' --option=3
 expect_exit 7
