@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "sightline/math/random.h"
@@ -176,7 +177,20 @@ std::vector<Ray<T>> rays_about(const Aabb& bounds, int count, std::uint64_t seed
     Ray<T> ray{Vec3<T>(from), Vec3<T>(to - from)};
     if (i % 16 == 1) ray.t_max = T(0.75);
     if (i % 16 == 3) ray.t_min = T(0.5);
+    if (i % 16 == 5) ray.t_min = T(-0.5);
+    if (i % 16 == 7) ray.t_min = -std::numeric_limits<T>::infinity();
     if (max_norm(ray.direction) > 0) rays.push_back(ray);
+  }
+  return rays;
+}
+
+/// The same rays with directions scaled by `factor`, a power of two, and parameters to match.
+template <class T>
+std::vector<Ray<T>> stretched(std::vector<Ray<T>> rays, T factor) {
+  for (Ray<T>& ray : rays) {
+    ray.direction *= factor;
+    ray.t_min /= factor;
+    ray.t_max /= factor;
   }
   return rays;
 }
@@ -231,6 +245,10 @@ std::vector<Ray<T>> broken_rays() {
     }
   }
   rays.push_back({sound.origin, Vec3<T>(0)});
+  if constexpr (std::is_same_v<T, double>) {
+    rays.push_back({sound.origin, sound.direction * 1e-200});
+    rays.push_back({sound.origin, sound.direction * 1e200});
+  }
   rays.push_back({sound.origin, sound.direction, nan, infinity});
   rays.push_back({sound.origin, sound.direction, 0, nan});
   rays.push_back({sound.origin, sound.direction, 2, 1});

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -29,6 +31,17 @@ std::string text(const Ray<T>& ray) {
       << ray.direction.x << ' ' << ray.direction.y << ' ' << ray.direction.z << " range " << ray.t_min << ' '
       << ray.t_max;
   return out.str();
+}
+
+/// Bit for bit: unlike ==, it tells zeros apart.
+template <class T>
+bool is_same(const Hit<T>& a, const Hit<T>& b) {
+  return a == b && std::signbit(a.t) == std::signbit(b.t) && std::signbit(a.u) == std::signbit(b.u) &&
+         std::signbit(a.v) == std::signbit(b.v);
+}
+template <class T>
+bool is_same(const std::vector<Hit<T>>& a, const std::vector<Hit<T>>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) { return is_same(x, y); });
 }
 
 template <class T>
@@ -84,11 +97,11 @@ void expect_brute_force_hits(const S& shapes, const std::vector<Ray<T>>& rays,
     const bool is_hit = any_hit(accel, leaves, ray, probe);
     const Hit<T> nearest = expected.empty() ? Hit<T>{} : expected.front();
     EXPECT_EQ(found.size(), expected.size()) << text(ray);
-    EXPECT_TRUE(found == expected) << text(ray);
-    EXPECT_TRUE(closest == nearest) << text(ray) << "\n  found    " << text(closest) << "\n  expected "
-                                    << text(nearest);
+    EXPECT_TRUE(is_same(found, expected)) << text(ray);
+    EXPECT_TRUE(is_same(closest, nearest))
+        << text(ray) << "\n  found    " << text(closest) << "\n  expected " << text(nearest);
     EXPECT_EQ(is_hit, !expected.empty()) << text(ray);
-    if (found != expected || closest != nearest || is_hit == expected.empty()) ++failures;
+    if (!is_same(found, expected) || !is_same(closest, nearest) || is_hit == expected.empty()) ++failures;
     ASSERT_LT(failures, 4) << "more of the same left out";
   }
 }
@@ -153,26 +166,64 @@ TYPED_TEST_P(Laws, EqualsBruteForceOnSpheresAndBoxes) {
   expect_brute_force_hits<TypeParam>(boxes, lattice_rays<float>(8, 1500, 31));
 }
 
-TYPED_TEST_P(Laws, KeepsTheRangeOfTheRay) {
-  const TriangleMesh mesh = soup(400, 0.1f, 32);
-  std::vector<Ray<float>> rays;
-  const PrimitivesOf primitives(mesh);
+/// Ranges that end, or start, exactly at a hit, or one step before it.
+template <class T, Shapes S>
+std::vector<Ray<T>> rays_ending_at_hits(const S& shapes, int count, std::uint64_t seed) {
+  const PrimitivesOf primitives(shapes);
   const BruteForce brute = BruteForce::build(primitives);
-  const IndexedLeaves leaves(mesh, brute.leaf_order());
+  const IndexedLeaves leaves(shapes, brute.leaf_order());
+  constexpr T infinity = std::numeric_limits<T>::infinity();
   NoProbe probe;
-  for (Ray<float> ray : rays_about<float>(mesh.bounds(), 1500, 33)) {
-    for (const Hit<float>& hit : all_hits(brute, leaves, ray, probe)) {
-      ray.t_max = hit.t;  // the end belongs to the range
-      rays.push_back(ray);
-      ray.t_max = std::nextafter(hit.t, 0.f);
-      rays.push_back(ray);
-      ray.t_max = std::numeric_limits<float>::infinity();
-      ray.t_min = hit.t;  // the start does not
-      rays.push_back(ray);
+  std::vector<Ray<T>> rays;
+  for (Ray<T> ray : rays_about<T>(bounds_of_all(shapes), count, seed)) {
+    ray.t_min = -infinity;
+    ray.t_max = infinity;
+    for (const Hit<T>& hit : all_hits(brute, leaves, ray, probe)) {
+      rays.push_back({ray.origin, ray.direction, -infinity, hit.t});
+      rays.push_back({ray.origin, ray.direction, -infinity, std::nextafter(hit.t, -infinity)});
+      rays.push_back({ray.origin, ray.direction, hit.t, infinity});
     }
   }
+  return rays;
+}
+
+TYPED_TEST_P(Laws, KeepsTheRangeOfTheRay) {
+  const TriangleMesh mesh = soup(400, 0.1f, 32);
+  const auto rays = rays_ending_at_hits<float>(mesh, 1000, 33);
   ASSERT_GT(rays.size(), 300u);
   expect_brute_force_hits<TypeParam>(mesh, rays);
+  expect_brute_force_hits<TypeParam>(mesh, rays_ending_at_hits<double>(mesh, 1000, 34));
+  const SphereSet balls = spheres(200, 35);
+  expect_brute_force_hits<TypeParam>(balls, rays_ending_at_hits<float>(balls, 150, 36));
+  const BoxSet boxes = lattice_boxes(100, 8, 37);
+  expect_brute_force_hits<TypeParam>(boxes, rays_ending_at_hits<float>(boxes, 150, 38));
+}
+
+/// Directions nearly as long as floats go, in a scene so small that parameters underflow.
+TYPED_TEST_P(Laws, EqualsBruteForceWhereParametersUnderflow) {
+  const TriangleMesh mesh = transformed(soup(400, 0.2f, 53), 1e-9f, Vec3f(0));
+  auto rays = rays_about<float>(mesh.bounds(), 3000, 54);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const int exponent = 122 - std::ilogb(max_norm(rays[i].direction));
+    for (int axis = 0; axis < 3; ++axis) rays[i].direction[axis] = std::ldexp(rays[i].direction[axis], exponent);
+    rays[i].t_min = i % 2 == 0 ? 0 : -std::numeric_limits<float>::infinity();
+  }
+  expect_brute_force_hits<TypeParam>(mesh, rays);
+}
+
+TYPED_TEST_P(Laws, EqualsBruteForceForLongAndShortDirections) {
+  const TriangleMesh mesh = soup(300, 0.1f, 50);
+  for (const float scale : {1e-9f, 1e-6f, 1.f}) {
+    const TriangleMesh scaled = transformed(mesh, scale, Vec3f(0));
+    const auto rays = rays_about<float>(scaled.bounds(), 300, 51);
+    for (const float factor : {0x1p-120f, 0x1p-60f, 0x1p+60f, 0x1p+120f}) {
+      expect_brute_force_hits<TypeParam>(scaled, stretched(rays, factor));
+    }
+    const auto wide_rays = rays_about<double>(scaled.bounds(), 300, 52);
+    for (const double factor : {0x1p-450, 0x1p+450}) {
+      expect_brute_force_hits<TypeParam>(scaled, stretched(wide_rays, factor));
+    }
+  }
 }
 
 TYPED_TEST_P(Laws, HitsNothingWithBrokenRays) {
@@ -371,7 +422,8 @@ TYPED_TEST_P(Laws, RefusesOptionsOutOfRange) {
 
 REGISTER_TYPED_TEST_SUITE_P(Laws, EqualsBruteForceOnSoup, EqualsBruteForceOnTheLattice,
                             EqualsBruteForceAtEdgesAndCorners, EqualsBruteForceOnFlatThinAndUnevenScenes,
-                            EqualsBruteForceFarAwayHugeAndTiny, EqualsBruteForceOnSpheresAndBoxes,
+                            EqualsBruteForceFarAwayHugeAndTiny, EqualsBruteForceForLongAndShortDirections,
+                            EqualsBruteForceWhereParametersUnderflow, EqualsBruteForceOnSpheresAndBoxes,
                             KeepsTheRangeOfTheRay, HitsNothingWithBrokenRays, HoldsNothingOneAndManyEqual,
                             EndsOnAHundredThousandCopies, CoversEveryPrimitive, ReallyDivides,
                             BuildsTheSameWithAnyNumberOfThreads, RecordsTheWalkThatItCounts, RefusesOptionsOutOfRange);

@@ -90,8 +90,9 @@ TEST(Identity, OfEveryStructureWithBruteForce) {
     if (info.name == brute->name()) continue;
     for (const int threads : {1, 2}) {
       const auto tracer = make_tracer(name, mesh, {.options = {}, .threads = threads});
-      expect_identical(*tracer, rays, expected, name + ", float, built by " + std::to_string(threads));
-      if (threads == 1) expect_identical(*tracer, wide_rays, wide_expected, name + ", double");
+      const std::string built = ", built by " + std::to_string(threads);
+      expect_identical(*tracer, rays, expected, name + ", float" + built);
+      expect_identical(*tracer, wide_rays, wide_expected, name + ", double" + built);
     }
     for (const auto& option : info.options) {
       if (option.name != "lazy") continue;

@@ -78,6 +78,14 @@ TEST(Sphere, IsClippedWhereItReaches) {
   EXPECT_EQ(one.clip(0, {{1, 0, 0}, {2, 2, 2}}).lo.x, 1);
 }
 
+TEST(Sphere, IsRefusedWithoutFiniteBounds) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(SphereSet({Sphere{{0, 0, 0}, -1}}), std::invalid_argument);
+  EXPECT_THROW(SphereSet({Sphere{{0, 0, 0}, nan}}), std::invalid_argument);
+  EXPECT_THROW(SphereSet({Sphere{{0, nan, 0}, 1}}), std::invalid_argument);
+  EXPECT_THROW(SphereSet({Sphere{{3e38f, 0, 0}, 3e38f}}), std::invalid_argument);
+}
+
 TEST(Box, IsHitInsideItsFaces) {
   const Aabb box{{-1, -1, -1}, {1, 1, 1}};
   int rays = 0;

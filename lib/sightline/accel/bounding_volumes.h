@@ -47,16 +47,10 @@ struct DistanceRay {
   double t_min;
 
   explicit DistanceRay(const PaddedRay<T>& ray) : origin(ray.origin), direction(ray.direction), t_min(ray.t_min) {
-    // A power of two first: the squares of very long and very short double directions leave even double.
-    const double largest = max_norm(direction);
-    const double scale = std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1020, 1020));
-    direction *= scale;
     const double length = std::sqrt(glm::dot(direction, direction));
     direction /= length;
-    time_per_length = scale / length;
-    // Parameters that underflow are off by a denormal step, as in PaddedRay.
-    const double wide = double(ray.pad) + 2 * double(std::numeric_limits<T>::denorm_min()) * largest;
-    pad = 1.7320509 * wide;  // above the square root of 3: from a margin per axis to a distance
+    time_per_length = 1 / length;
+    pad = 1.7320509 * double(ray.pad);  // above the square root of 3: from a margin per axis to a distance
   }
 
   /// Distances along the ray as parameters within [t_min, far]; NaN distances bound nothing.

@@ -42,7 +42,7 @@ struct PaddedRay {
   Vec3<T> inverse;       ///< 1 / direction; infinite, with the zero's sign, where that is 0.
   Vec3<T> enter_origin;  ///< Of planes through which the ray enters.
   Vec3<T> leave_origin;  ///< Of planes through which the ray leaves.
-  T pad;                 ///< margin<T> * reach, the half width of the padded ray.
+  T pad;                 ///< Half the width of the padded ray: margin<T> * reach, and what underflow may add.
   T t_min;
   T t_max;  ///< Below t_min where the ray is not valid: such a ray meets nothing.
   bool is_negative[3];
@@ -53,14 +53,15 @@ struct PaddedRay {
       t_min = std::numeric_limits<T>::infinity();
       t_max = -std::numeric_limits<T>::infinity();
     }
-    pad = margin<T> * reach_of(origin, bounds);
+    // A parameter that underflows is off by up to one denormal step, which a large direction magnifies.
+    pad = margin<T> * reach_of(origin, bounds) + 2 * std::numeric_limits<T>::denorm_min() * max_norm(direction);
     for (int axis = 0; axis < 3; ++axis) {
       inverse[axis] = T(1) / direction[axis];
       is_negative[axis] = std::signbit(direction[axis]);
-      // A product that underflows is off by up to one denormal step, which a large direction magnifies.
-      T wide = pad + 2 * std::numeric_limits<T>::denorm_min() * std::fabs(direction[axis]);
-      // A direction too small to invert moves the ray all the same, by an amount that cannot be told: no plane bounds it.
-      if (direction[axis] != 0 && std::isinf(inverse[axis])) wide = std::numeric_limits<T>::infinity();
+      // A direction too small to invert moves the ray all the same, by an amount that cannot be told: no plane bounds
+      // it.
+      const bool is_unbounded = direction[axis] != 0 && std::isinf(inverse[axis]);
+      const T wide = is_unbounded ? std::numeric_limits<T>::infinity() : pad;
       const T forward = next_up(origin[axis] + wide), backward = next_down(origin[axis] - wide);
       enter_origin[axis] = is_negative[axis] ? backward : forward;
       leave_origin[axis] = is_negative[axis] ? forward : backward;

@@ -20,10 +20,18 @@ struct Ray {
   Vec3<T> at(T t) const { return origin + t * direction; }
 };
 
-/// False for rays that can hit nothing: a NaN or infinite component, no direction, or an empty parameter range.
+/// Lengths of double directions that are traced: squares and products with coordinates stay within double. All float
+/// directions are.
+inline constexpr double shortest_direction = 0x1p-500;
+inline constexpr double longest_direction = 0x1p+500;
+
+/// False for rays that hit nothing by definition: a NaN or infinite component, no direction or one out of the limits
+/// above, or an empty parameter range.
 template <class T>
 bool is_valid(const Ray<T>& ray) {
-  return is_finite(ray.origin) && is_finite(ray.direction) && max_norm(ray.direction) > 0 && ray.t_min <= ray.t_max;
+  const double size = max_norm(ray.direction);
+  return is_finite(ray.origin) && size >= shortest_direction && size <= longest_direction && is_finite(ray.direction) &&
+         ray.t_min <= ray.t_max;
 }
 
 /// Exact for float rays.

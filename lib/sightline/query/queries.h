@@ -20,7 +20,7 @@ template <class T, class Leaves, class Prepared, class See>
 void for_each_hit(const Leaves& leaves, const Prepared& prepared, const Ray<T>& ray, LeafRange leaf, See&& see) {
   for (std::uint32_t position = leaf.first; position < leaf.first + leaf.count; ++position) {
     prepared.for_each_crossing(leaves.shape(position), [&](const Crossing& crossing) {
-      const T t = static_cast<T>(crossing.t);
+      const T t = static_cast<T>(crossing.t) + T(0);  // one zero, not two
       if (t > ray.t_min && t <= ray.t_max && t < std::numeric_limits<T>::infinity()) {
         see(Hit<T>{t, leaves.id(position), static_cast<T>(crossing.u), static_cast<T>(crossing.v)});
       }

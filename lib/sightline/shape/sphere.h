@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -8,7 +10,7 @@
 
 namespace sightline {
 
-/// Spheres as primitives. Radii are finite and not negative; a sphere of radius 0 is a point.
+/// Spheres as primitives. A sphere of radius 0 is a point.
 ///
 /// The discriminant is taken from the vector between the center and the point of the line closest to it, which cancels
 /// nothing (Haines, Guenther and Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", 2019), and the
@@ -47,7 +49,17 @@ class SphereSet {
   };
 
   SphereSet() = default;
-  explicit SphereSet(std::vector<Sphere> spheres) : spheres_(std::move(spheres)) {}
+
+  /// \throws std::invalid_argument naming the first sphere whose radius is negative or that leaves the range of float.
+  explicit SphereSet(std::vector<Sphere> spheres) : spheres_(std::move(spheres)) {
+    for (std::uint32_t id = 0; id < size(); ++id) {
+      const Aabb box = bounds(id);
+      if (!(spheres_[id].radius >= 0) || !is_finite(box.lo) || !is_finite(box.hi)) {
+        throw std::invalid_argument("sphere " + std::to_string(id) +
+                                    ": expected a radius that is not negative and finite bounds");
+      }
+    }
+  }
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(spheres_.size()); }
   const Sphere& operator[](std::uint32_t id) const { return spheres_[id]; }
