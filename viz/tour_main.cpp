@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
+#include <set>
 
 #include "sightline/io/file_error.h"
 #include "sightline/io/output_file.h"
@@ -76,13 +77,15 @@ nlohmann::json read_json(const std::filesystem::path& path) {
   return value;
 }
 
-/// As it stands in the name of a file.
-std::string file_part(const std::string& name) {
-  std::string part = std::filesystem::path(name).filename().string();
+/// What the names of a scene's pictures begin with: unlike those of all scenes before it, which are in `taken`.
+std::string unique_prefix(const std::string& scene, std::set<std::string>& taken) {
+  std::string part = std::filesystem::path(scene).filename().string();
   for (char& c : part) {
     if (!std::isalnum(static_cast<unsigned char>(c))) c = '-';
   }
-  return part;
+  std::string prefix = part;
+  for (int count = 2; !taken.insert(prefix).second; ++count) prefix = part + "-" + std::to_string(count);
+  return prefix + "_";  // in no part, so that no picture's name can be read in two ways
 }
 
 /// Every pixel of all structures against the first of them, and some of its pixels against brute force.
@@ -104,7 +107,7 @@ class Witness {
 
   /// As many pixels as brute force answers in a few seconds.
   std::string ask_oracle() const {
-    constexpr double tests = 1.5e8;
+    constexpr double tests = 6e8;
     const double pixels = double(camera_.width) * camera_.height;
     const int stride = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels * scene_.mesh->size() / tests))));
     const auto oracle = make_tracer(oracle_name, scene_.mesh);
@@ -114,8 +117,9 @@ class Witness {
                                std::to_string(agreement.compared) + " pixels of " + scene_.name);
     }
     return std::to_string(names_.size()) + " structures, one picture: the hits of all " + with_commas(first_.size()) +
-           " pixels are bit-identical, and brute force confirms " +
-           (stride == 1 ? "every one" : with_commas(agreement.compared) + " of them") + ".";
+           " pixels are bit-identical. Brute force was asked about " +
+           (stride == 1 ? "every pixel" : with_commas(agreement.compared) + " of them, spread evenly,") +
+           " and gives the same hits.";
   }
 
  private:
@@ -146,8 +150,7 @@ StructureTour draw_partition(const Tracer& tracer, const LoadedScene& scene, con
   return tour;
 }
 
-SceneTour tour_scene(const LoadedScene& scene, const Arguments& arguments, Steps& steps) {
-  const std::string prefix = file_part(scene.name) + "-";
+SceneTour tour_scene(const LoadedScene& scene, const std::string& prefix, const Arguments& arguments, Steps& steps) {
   const Camera camera = Camera::facing(scene.mesh->bounds(), width, height);
   SceneTour tour{scene.name, scene.mesh->size(), prefix + "picture.png", {}, {}};
   Witness witness(camera, scene);
@@ -211,7 +214,10 @@ int run(int argc, char** argv) {
   steps.next("measuring (sightline-bench --quick)");
   run_bench(scenes, arguments, json);
   std::vector<SceneTour> tours;
-  for (const LoadedScene& scene : scenes) tours.push_back(tour_scene(scene, arguments, steps));
+  std::set<std::string> prefixes;
+  for (const LoadedScene& scene : scenes) {
+    tours.push_back(tour_scene(scene, unique_prefix(scene.name, prefixes), arguments, steps));
+  }
   steps.next("writing the page");
   write_text(page, tour_page(tours, read_json(json)));
   std::cout << page.string() << std::endl;

@@ -1,58 +1,206 @@
 #include "sightline/io/output_file.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <climits>
+#include <cstdio>
 #include <cstring>
+#include <random>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "sightline/io/file_error.h"
 
 namespace sightline {
 namespace {
 
-std::filesystem::path temporary_beside(const std::filesystem::path& path) {
-  static std::atomic<unsigned> count{0};
-  const std::string mark = "." + std::to_string(getpid()) + "-" + std::to_string(count++);
-  return path.parent_path() / ("." + path.stem().string() + mark + path.extension().string());
+std::string why(int error = errno) { return std::strerror(error); }
+
+// ---- Names
+
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-std::string why() { return std::strerror(errno); }
+/// Links in /proc name an open file, as those behind /dev/stdout do, and not the path that they show.
+bool is_in_proc(const std::filesystem::path& path) {
+  constexpr long proc_magic = 0x9fa0;  // of statfs(2)
+  struct statfs system {};
+  return statfs(folder_of(path).c_str(), &system) == 0 && system.f_type == proc_magic;
+}
+
+struct Target {
+  std::filesystem::path path;
+  bool is_replaceable = true;
+  mode_t mode = 0666;
+};
+
+/// Where writing to `path` would end, by its links.
+Target target_of(const std::filesystem::path& path) {
+  constexpr int most_links = 40;  // as Linux follows
+  Target target{path};
+  for (int links = 0; links <= most_links; ++links) {
+    struct stat status {};
+    if (lstat(target.path.c_str(), &status) != 0) {
+      if (errno != ENOENT) throw FileError(path, 0, "a file that can be written", why());
+      return target;
+    }
+    if (!S_ISLNK(status.st_mode)) {
+      target.is_replaceable = S_ISREG(status.st_mode);
+      target.mode = status.st_mode & 0777;
+      return target;
+    }
+    target.is_replaceable = !is_in_proc(target.path);
+    if (!target.is_replaceable) return target;
+    target.path = folder_of(target.path) / std::filesystem::read_symlink(target.path);
+  }
+  throw FileError(path, 0, "a file that can be written", why(ELOOP));
+}
+
+/// Never the name of another file, so that it may be removed before it is made.
+std::filesystem::path temporary_beside(const std::filesystem::path& path, std::string extension) {
+  std::random_device random;
+  const std::string mark = "." + std::to_string(getpid()) + "-" + std::to_string(random());
+  std::string stem = "." + path.stem().string();
+  if (stem.size() + mark.size() + extension.size() > NAME_MAX) {
+    if (1 + mark.size() + extension.size() > NAME_MAX) extension.clear();
+    std::size_t size = std::min(stem.size(), NAME_MAX - mark.size() - extension.size());
+    while (size > 1 && size < stem.size() && (stem[size] & 0xc0) == 0x80) --size;  // not inside a character of UTF-8
+    stem.resize(size);
+  }
+  return path.parent_path() / (stem + mark + extension);
+}
 
 }  // namespace
 
-OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), temporary_(temporary_beside(path_)) {
+// ---- What is not to stay
+
+/// Paths to remove when this is destroyed, or when a signal ends the program.
+///   L1  Complete before the table shows it to signal handlers, and never changed then.
+///   L2  Whoever takes it out of the table removes the paths; the other leaves it alone, for it may be gone.
+class OutputFile::Leftovers {
+ public:
+  /// `file`, and those folders above it that are not there yet.
+  explicit Leftovers(const std::filesystem::path& file) : file_(file.string()), owner_(getpid()) {
+    std::error_code error;
+    for (auto folder = file.parent_path(); !folder.empty() && !std::filesystem::exists(folder, error) && !error;
+         folder = folder.parent_path()) {
+      folders_.push_back(folder.string());
+    }
+    watch_signals();
+    for (auto& place : table_) {
+      Leftovers* none = nullptr;
+      if (!place.compare_exchange_strong(none, this)) continue;
+      place_ = &place;
+      return;
+    }
+  }
+  ~Leftovers() {
+    Leftovers* mine = this;
+    const bool is_taken = place_ && !place_->compare_exchange_strong(mine, nullptr);
+    while (is_taken) pause();  // L2: this program ends
+    remove();
+  }
+  Leftovers(const Leftovers&) = delete;
+  Leftovers& operator=(const Leftovers&) = delete;
+
+ private:
+  static constexpr std::size_t most = 64;  // at a time; more are removed by their destructors only
+  static std::array<std::atomic<Leftovers*>, most> table_;
+  static_assert(std::atomic<Leftovers*>::is_always_lock_free);
+
+  /// Only calls what signal handlers may call.
+  void remove() const {
+    unlink(file_.c_str());
+    for (const std::string& folder : folders_) rmdir(folder.c_str());  // the innermost first, and only empty ones
+  }
+
+  static void end_by_signal(int signal) {
+    for (auto& place : table_) {
+      const Leftovers* leftovers = place.exchange(nullptr);
+      // A fork has the table too, but the files are its parent's.
+      if (leftovers && leftovers->owner_ == getpid()) leftovers->remove();
+    }
+    sigset_t ended;
+    sigemptyset(&ended);
+    sigaddset(&ended, signal);
+    pthread_sigmask(SIG_UNBLOCK, &ended, nullptr);
+    raise(signal);        // its action is the default one by now
+    _exit(128 + signal);  // the first process of a container outlives that
+  }
+
+  static void watch_signals() {
+    constexpr std::array signals{SIGHUP, SIGINT, SIGPIPE, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
+    struct sigaction ending {};
+    ending.sa_handler = end_by_signal;
+    ending.sa_flags = static_cast<int>(SA_RESETHAND);
+    for (const int signal : signals) sigaddset(&ending.sa_mask, signal);
+    for (const int signal : signals) {
+      struct sigaction present {};
+      sigaction(signal, nullptr, &present);
+      const bool is_default = !(present.sa_flags & SA_SIGINFO) && present.sa_handler == SIG_DFL;
+      if (is_default) sigaction(signal, &ending, nullptr);
+    }
+  }
+
+  std::string file_;
+  std::vector<std::string> folders_;
+  pid_t owner_;
+  std::atomic<Leftovers*>* place_ = nullptr;
+};
+
+std::array<std::atomic<OutputFile::Leftovers*>, OutputFile::Leftovers::most> OutputFile::Leftovers::table_{};
+
+// ---- The file
+
+OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
   std::error_code absent, error;
   if (path_.filename().empty() || std::filesystem::is_directory(path_, absent)) {
     throw FileError(path_, 0, "a file to write", "a folder");
   }
-  if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path(), error);
-  if (error) throw FileError(path_.parent_path(), 0, "a folder that can be made", error.message());
-  const int file = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  Target target = target_of(path_);
+  target_ = std::move(target.path);
+  if (!target.is_replaceable) {
+    temporary_ = target_;
+    // Not opened here: a pipe would wait for its reader, and the reader take the closing for the end.
+    if (access(target_.c_str(), W_OK) != 0) throw FileError(path_, 0, "a file that can be written", why());
+    return;
+  }
+  temporary_ = temporary_beside(target_, path_.extension().string());
+  leftovers_ = std::make_unique<Leftovers>(temporary_);
+  if (target_.has_parent_path()) std::filesystem::create_directories(target_.parent_path(), error);
+  if (error) throw FileError(target_.parent_path(), 0, "a folder that can be made", error.message());
+  const int file = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, target.mode | S_IRUSR | S_IWUSR);
   if (file < 0) throw FileError(path_, 0, "a file that can be written", why());
   close(file);
 }
 
-OutputFile::~OutputFile() {
-  std::error_code ignored;
-  if (!committed_) std::filesystem::remove(temporary_, ignored);
-}
+OutputFile::~OutputFile() = default;
 
 void OutputFile::commit() {
-  std::error_code error;
-  std::filesystem::rename(temporary_, path_, error);
-  if (error) throw FileError(path_, 0, "a file that can be written", error.message());
-  committed_ = true;
+  if (!leftovers_) return;
+  struct stat replaced {};
+  if (stat(target_.c_str(), &replaced) == 0) chmod(temporary_.c_str(), replaced.st_mode & 0777);
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    throw FileError(path_, 0, "a file that can be written", why());
+  }
+  leftovers_.reset();  // removes nothing: the name is gone and the folder in use
 }
 
 void write_text(const std::filesystem::path& path, std::string_view text) {
   OutputFile output(path);
-  const int file = open(output.temporary().c_str(), O_WRONLY | O_CLOEXEC);
+  // Appending matters only where O3 holds: standard output may be a file that has something already.
+  const int file = open(output.temporary().c_str(), O_WRONLY | O_APPEND | O_NOCTTY | O_CLOEXEC);
   bool good = file >= 0;
   while (good && !text.empty()) {
     const ssize_t count = write(file, text.data(), text.size());

@@ -2,12 +2,18 @@
 /// Files that appear whole or not at all.
 
 #include <filesystem>
+#include <memory>
 #include <string_view>
 
 namespace sightline {
 
 /// A file under a temporary name in the folder of its final one, renamed by commit() and removed when that is not
 /// reached. The temporary name keeps the extension, because writers choose their format by it.
+///   O1  Without commit() nothing is left: neither the file nor a folder made for it that is still empty. That also
+///       holds where a signal such as that of Ctrl-C ends the program, unless the program handles that signal itself.
+///   O2  Symbolic links stay: what they point to is replaced, and keeps its mode.
+///   O3  What is there and is no regular file (a device, a pipe), or is reached through /dev/stdout or its like, is
+///       never replaced: temporary() is that file itself, and what is written to it is out at once.
 class OutputFile {
  public:
   /// Makes the temporary file, and the folders above it that are missing. Throws FileError where that is impossible or
@@ -24,9 +30,12 @@ class OutputFile {
   void commit();
 
  private:
+  class Leftovers;
+
   std::filesystem::path path_;
+  std::filesystem::path target_;  ///< Where the symbolic links of path_ lead.
   std::filesystem::path temporary_;
-  bool committed_ = false;
+  std::unique_ptr<Leftovers> leftovers_;  ///< What goes without commit(); none where O3 holds.
 };
 
 /// Throws FileError.
