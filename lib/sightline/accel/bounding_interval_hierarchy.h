@@ -87,9 +87,7 @@ class BoundingIntervalHierarchy {
     static std::uint32_t link_in(const Node& node) {
       return std::atomic_ref(const_cast<Node&>(node).link).load(std::memory_order_acquire);
     }
-    static Node of_leaf(LeafRange range) {
-      return {link_of(leaf, range.first), {std::bit_cast<float>(range.count), 0}};
-    }
+    static Node of_leaf(LeafRange at) { return {link_of(leaf, at.first), {std::bit_cast<float>(at.count), 0}}; }
     LeafRange leaf_range(std::uint32_t its_link) const {
       return {number_of(its_link), std::bit_cast<std::uint32_t>(clip[0])};
     }
@@ -151,21 +149,26 @@ class BoundingIntervalHierarchy::Builder {
 
   void postpone_tree() {
     made_count_ = 1;
-    postpone(nodes_[0], root_);
+    postpone(nodes_[0], root_, postponed_.grow_by(1) - postponed_.begin());
   }
 
   /// Has the node made, by this thread or by another that has begun with it; returns its link. Waiting ends, because
-  /// making a node waits for nothing.
+  /// making a node waits for nothing; if it fails, the node is as before, and whoever waits tries in turn.
   std::uint32_t require(Node& node, std::uint32_t link) {
     const std::atomic_ref state(node.link);
-    if (Node::kind_of(link) == unmade &&
-        state.compare_exchange_strong(link, Node::link_of(being_made, Node::number_of(link)),
-                                      std::memory_order_acquire)) {
-      make_step(node, postponed_[Node::number_of(link)]);
-      state.notify_all();
-    }
-    while (Node::kind_of(link = state.load(std::memory_order_acquire)) == being_made) {
-      state.wait(link, std::memory_order_acquire);
+    for (; Node::kind_of(link) > leaf; link = state.load(std::memory_order_acquire)) {
+      if (Node::kind_of(link) == being_made) {
+        state.wait(link, std::memory_order_acquire);
+      } else if (state.compare_exchange_strong(link, Node::link_of(being_made, Node::number_of(link)))) {
+        try {
+          make_step(node, postponed_[Node::number_of(link)]);
+        } catch (...) {
+          state.store(link, std::memory_order_release);
+          state.notify_all();
+          throw;
+        }
+        state.notify_all();
+      }
     }
     return link;
   }
@@ -174,9 +177,9 @@ class BoundingIntervalHierarchy::Builder {
   static constexpr std::uint32_t parallel_size = 4096;  ///< Two subtrees of more than this are built side by side.
   static constexpr std::uint32_t step_size = 64;        ///< A subtree of at most this is made in one step.
 
-  void postpone(Node& node, const Task& task) {
-    const auto place = postponed_.push_back(task);
-    publish(node, {Node::link_of(unmade, static_cast<std::size_t>(place - postponed_.begin())), {}});
+  void postpone(Node& node, const Task& task, std::ptrdiff_t place) {
+    postponed_[static_cast<std::size_t>(place)] = task;
+    publish(node, {Node::link_of(unmade, static_cast<std::size_t>(place)), {}});
   }
 
   static void publish(Node& node, const Node& made) {
@@ -195,26 +198,27 @@ class BoundingIntervalHierarchy::Builder {
       if (task.range.count > parallel_size) {
         tbb::parallel_invoke(make_below, make_above);
       } else {
-        make_below();
-        make_above();
+        make_below(), make_above();
       }
     }
     publish(node, division.node);
     return 1 + below + above;
   }
 
-  /// Makes the node, and its children too if they are few; else these are postponed.
+  /// Makes the node, and its children too if they are few; else these are postponed. What can fail, taking the memory
+  /// for that, comes before any primitive moves, so that a second attempt makes the same tree (H5).
   void make_step(Node& node, const Task& task) {
-    if (task.range.count <= step_size) {
+    if (task.range.count <= std::max(step_size, std::uint32_t(options_.max_leaf_size))) {
       made_count_ += make_all(node, task) - 1;
       return;
     }
+    const std::ptrdiff_t place = postponed_.grow_by(2) - postponed_.begin();
     const Division division = divide(task);
     if (division.is_inner) {
       Node* children = nodes_.get() + 2 * Node::number_of(division.node.link);
       made_count_ += 2;
-      postpone(children[0], division.below);
-      postpone(children[1], division.above);
+      postpone(children[0], division.below, place);
+      postpone(children[1], division.above, place + 1);
     }
     publish(node, division.node);
   }
@@ -238,10 +242,9 @@ class BoundingIntervalHierarchy::Builder {
 
   /// H2: moves the primitives whose centers lie below the middle to the front.
   void part(const Task& task, const Aabb& candidate, int axis, float middle, Division& division) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
     const std::uint32_t first = task.range.first, end = first + task.range.count;
     Aabb centers_below, centers_above;
-    float highest_below = -infinity, lowest_above = infinity;
+    float lowest_above = std::numeric_limits<float>::infinity(), highest_below = -lowest_above;
     std::uint32_t parting = end;
     for (std::uint32_t i = first; i != parting;) {
       const Vec3f center = boxes_[i].center();
@@ -252,8 +255,7 @@ class BoundingIntervalHierarchy::Builder {
       } else {
         centers_above.extend(center);
         lowest_above = std::min(lowest_above, boxes_[i].lo[axis]);
-        --parting;
-        std::swap(boxes_[i], boxes_[parting]);
+        std::swap(boxes_[i], boxes_[--parting]);
         std::swap(order_[i], order_[parting]);
       }
     }
@@ -261,8 +263,7 @@ class BoundingIntervalHierarchy::Builder {
     division.node = {Node::link_of(static_cast<Kind>(axis), parting), {highest_below, lowest_above}};
     division.below = {{first, parting - first}, candidate, centers_below, task.depth + 1};
     division.above = {{parting, end - parting}, candidate, centers_above, task.depth + 1};
-    division.below.candidate.hi[axis] = middle;
-    division.above.candidate.lo[axis] = middle;
+    division.below.candidate.hi[axis] = division.above.candidate.lo[axis] = middle;
   }
 
   const Options options_;
@@ -270,7 +271,7 @@ class BoundingIntervalHierarchy::Builder {
   std::unique_ptr<Node[]> nodes_;  ///< Memory is taken by those that are made.
   std::vector<Aabb> boxes_;        ///< of the primitives, in the order of order_
   Task root_;
-  tbb::concurrent_vector<Task> postponed_;  ///< Grows without moving, and what is in it is not changed.
+  tbb::concurrent_vector<Task, std::allocator<Task>> postponed_;  ///< Grows without moving.
   std::atomic<std::size_t> made_count_ = 0;
 };
 
@@ -382,9 +383,8 @@ void BoundingIntervalHierarchy::show(See& see, std::uint32_t number, const Aabb&
   const std::uint32_t link = Node::link_in(node);
   if (Node::kind_of(link) >= leaf) {
     const bool is_made = Node::kind_of(link) == leaf;
-    see(Cell{region, depth, true, is_made ? node.leaf_range(link) : lazy_->postponed(Node::number_of(link)).range,
-             number});
-    return;
+    const LeafRange range = is_made ? node.leaf_range(link) : lazy_->postponed(Node::number_of(link)).range;
+    return see(Cell{region, depth, true, range, number});
   }
   see(Cell{region, depth, false, {}, number});
   const int axis = static_cast<int>(Node::kind_of(link));

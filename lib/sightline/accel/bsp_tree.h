@@ -24,6 +24,8 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <string>
 
 #include "sightline/accel/accelerator.h"
 #include "sightline/accel/fixed_stack.h"
@@ -61,6 +63,8 @@ class BspTree {
   static constexpr std::size_t node_bytes = 20;
   using Options = BspTreeOptions;
 
+  /// \throws std::invalid_argument for options out of their limits, std::length_error beyond 2^28 primitives or 2^29
+  /// nodes.
   static BspTree build(const Primitives& primitives, const Options& options = {});
 
   std::size_t memory_bytes() const { return nodes_.size() * sizeof(Node) + order_.size() * sizeof(std::uint32_t); }
@@ -76,6 +80,10 @@ class BspTree {
 
  private:
   static constexpr int stack_size = 64;
+  static constexpr std::uint32_t reference_growth = 12;      // B5
+  static constexpr std::uint32_t size_limit = 1u << 28;      ///< Keeps positions, by B5, within 32 bits.
+  static constexpr std::size_t node_limit = (1u << 29) - 1;  ///< Links have 29 bits for distances and counts.
+  static_assert(std::uint64_t(size_limit) * reference_growth < 1ull << 32 && size_limit <= node_limit);
 
   /// Axis planes know their axis, which saves traversal the dot products.
   enum Kind : std::uint32_t { x_plane, y_plane, z_plane, general_plane, leaf };
@@ -241,7 +249,7 @@ class BspTree::Builder {
       cell.keep_below({-plane.normal, -plane.offset}, tolerance, level.cell_above);
     }
     const std::size_t inner = nodes_.size();
-    nodes_.push_back(Node::inner(choice->split));
+    add_node(Node::inner(choice->split));
     const auto build_below = [&](Builder& builder) {
       builder.build(level.cell_below, level.below, share * level.below.size(), depth + 1);
     };
@@ -277,8 +285,13 @@ class BspTree::Builder {
     ConvexCell cell_below, cell_above;
   };
 
+  void add_node(const Node& node) {
+    if (nodes_.size() == node_limit) throw std::length_error("bsp-tree: more nodes than a link can span");
+    nodes_.push_back(node);
+  }
+
   void add_leaf(const Fragments& fragments) {
-    nodes_.push_back({Vec3f(0), static_cast<std::uint32_t>(order_.size()), fragments.size() << 3 | leaf});
+    add_node({Vec3f(0), static_cast<std::uint32_t>(order_.size()), fragments.size() << 3 | leaf});
     for (std::uint32_t i = 0; i < fragments.size(); ++i) order_.push_back(fragments[i].id);
   }
 
@@ -286,7 +299,7 @@ class BspTree::Builder {
     const auto shift = static_cast<std::uint32_t>(order_.size());
     for (Node node : subtree.nodes_) {
       if (node.kind() == leaf) node.bits += shift;
-      nodes_.push_back(node);
+      add_node(node);
     }
     order_.insert(order_.end(), subtree.order_.begin(), subtree.order_.end());
   }
@@ -307,6 +320,10 @@ inline BspTree BspTree::build(const Primitives& primitives, const Options& optio
   validate(name, options);
   BspTree tree;
   const std::uint32_t count = primitives.size();
+  if (count > size_limit) {
+    throw std::length_error("bsp-tree: " + std::to_string(count) + " primitives; expected at most " +
+                            std::to_string(size_limit));
+  }
   if (count == 0) return tree;
   for (std::uint32_t id = 0; id < count; ++id) tree.bounds_.extend(primitives.bounds(id));
   const Vec3d lo(tree.bounds_.lo), hi(tree.bounds_.hi);
@@ -318,9 +335,9 @@ inline BspTree BspTree::build(const Primitives& primitives, const Options& optio
                              options.max_depth > 0 ? options.max_depth : automatic_depth};
   // A cell as thick as its planes at least, so that flat scenes have areas to weigh.
   const Vec3d half = 0.5 * (hi - lo) + tree.thickness_;
-  constexpr double reference_growth = 12;  // B5
   Builder builder(scene);
-  builder.build(ConvexCell::box(-half, half), Fragments::of(primitives, tree.center_), reference_growth * count, 0);
+  builder.build(ConvexCell::box(-half, half), Fragments::of(primitives, tree.center_), double(reference_growth) * count,
+                0);
   builder.finish(tree);
   return tree;
 }

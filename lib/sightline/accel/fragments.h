@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "sightline/accel/primitives.h"
@@ -100,6 +102,9 @@ class Fragments {
 
   /// Makes a fragment of the points that are in none yet.
   void add(std::uint32_t id, bool is_polygon) {
+    if (points_.size() > std::numeric_limits<std::uint32_t>::max()) {
+      throw std::length_error("fragments: more than 2^32 - 1 corners of primitives in a cell");
+    }
     const std::uint32_t first = items_.empty() ? 0 : items_.back().first + items_.back().count;
     items_.push_back({id, first, static_cast<std::uint32_t>(points_.size()) - first, is_polygon});
   }

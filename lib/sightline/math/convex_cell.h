@@ -72,7 +72,8 @@ class ConvexCell {
   }
 
   /// Surface areas of the two parts, each with the section that closes it. A face that the plane crosses is cut at two
-  /// points; the section is the sum of the triangles that those pairs make with any point of the plane.
+  /// points; the section is the sum of the triangles that such pairs make with any point of the plane. Vertices on the
+  /// plane count as below it, so that an edge on it is part of the section once: as the cut of the face above.
   Areas areas(const Heights& heights) const {
     double below = 0, above = 0;
     Vec3d section(0), anchor(0);
@@ -87,32 +88,41 @@ class ConvexCell {
       }
       if (highest <= 0) {
         below += face.area;
-      } else if (lowest >= 0) {
+      } else if (lowest > 0) {
         above += face.area;
       } else {
-        Vec3d leave(0), enter(0), doubled(0);
-        std::uint32_t last_below = 0;
-        for (std::uint32_t i = 0, from = loop[face.count - 1]; i < face.count; from = loop[i++]) {
-          const bool is_below = heights.of[loop[i]] <= 0;
-          if ((heights.of[from] <= 0) == is_below) continue;
-          (is_below ? enter : leave) = crossing(heights, from, loop[i]);
-          if (is_below) last_below = i;
+        const auto is_below = [&](std::uint32_t i) { return heights.of[loop[i]] <= 0; };
+        const auto after = [&](std::uint32_t i) { return i + 1 == face.count ? 0 : i + 1; };
+        std::uint32_t at = 0;
+        while (is_below(at) || !is_below(after(at))) ++at;
+        // Once around from where the loop comes below, as a fan around that point. Of a face that all but lies on the
+        // plane, rounding may put several runs of vertices below.
+        const Vec3d start = crossing(heights, loop[at], loop[after(at)]);
+        if (!has_anchor) anchor = start;
+        has_anchor = true;
+        Vec3d previous(0), leave(0), doubled(0);
+        const auto go_to = [&](const Vec3d& point) {
+          doubled += glm::cross(previous, point - start);
+          previous = point - start;
+        };
+        for (std::uint32_t i = 0; i < face.count; ++i) {
+          const std::uint32_t from = at;
+          at = after(at);
+          if (is_below(from) != is_below(at)) {
+            const Vec3d point = crossing(heights, loop[from], loop[at]);
+            go_to(point);
+            if (is_below(from)) {
+              leave = point;
+            } else if (i > 0) {
+              section += glm::cross(point - anchor, leave - anchor);
+            }
+          }
+          if (is_below(at)) go_to(vertices_[loop[at]]);
         }
-        // From where the loop comes below, as a fan around that point.
-        Vec3d previous = vertices_[loop[last_below]] - enter;
-        for (std::uint32_t i = last_below + 1 == face.count ? 0 : last_below + 1; heights.of[loop[i]] <= 0;
-             i = i + 1 == face.count ? 0 : i + 1) {
-          const Vec3d next = vertices_[loop[i]] - enter;
-          doubled += glm::cross(previous, next);
-          previous = next;
-        }
-        doubled += glm::cross(previous, leave - enter);
+        section += glm::cross(start - anchor, leave - anchor);
         const double part = std::min(0.5 * glm::length(doubled), face.area);
         below += part;
         above += face.area - part;
-        if (!has_anchor) anchor = leave;
-        has_anchor = true;
-        section += glm::cross(enter - anchor, leave - anchor);
       }
     }
     const double closing = 0.5 * glm::length(section);
@@ -120,13 +130,14 @@ class ConvexCell {
   }
 
   /// The part with heights <= 0, into `part`; empty where there is none. Vertices within `tolerance` of the plane count
-  /// as lying on it, so that rounding makes no slivers.
+  /// as lying on it, so that rounding makes no slivers. A face that leaves the tolerance of the plane only just, and on
+  /// the side that is kept, stays beside the section that overlaps it: the area is then too large, the part is right.
   void keep_below(const Plane& plane, double tolerance, ConvexCell& part) const {
     Heights heights;
     measure(plane, heights);
     part.clear();
     if (heights.lo >= -tolerance && heights.hi > tolerance) return;
-    if (heights.hi <= tolerance || vertices_.size() + loops_.size() / 2 > max_vertices) {
+    if (heights.hi <= tolerance || most_kept(heights, tolerance) > max_vertices) {
       part = *this;
       return;
     }
@@ -193,6 +204,21 @@ class ConvexCell {
     loops_.clear();
     faces_.clear();
     area_ = 0;
+  }
+
+  /// No fewer than the vertices that a cut keeps and makes (C2). Each face that shares a cut edge counts it, since
+  /// faces that have shrunk to nothing are dropped and an edge may have only one left.
+  std::size_t most_kept(const Heights& heights, double tolerance) const {
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < vertices_.size(); ++v) count += !(heights.of[v] > tolerance);
+    for (const Face& face : faces_) {
+      const std::uint32_t* loop = loops_.data() + face.first;
+      for (std::uint32_t i = 0, from = loop[face.count - 1]; i < face.count; from = loop[i++]) {
+        count += std::min(heights.of[from], heights.of[loop[i]]) < -tolerance &&
+                 std::max(heights.of[from], heights.of[loop[i]]) > tolerance;
+      }
+    }
+    return count;
   }
 
   /// Where the edge meets the plane: the same point from whichever end it is asked.
