@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
 #include <barrier>
 #include <cmath>
+#include <cstdlib>
+#include <new>
 #include <random>
 #include <thread>
 #include <vector>
@@ -14,6 +17,22 @@
 #include "sightline/query/primitives_of.h"
 #include "sightline/query/queries.h"
 #include "sightline/shape/mesh.h"
+
+namespace {
+
+/// Allocations on this thread until one fails, once; below zero, none does.
+thread_local int allocations_left = -1;
+
+}  // namespace
+
+// Not inlined, where GCC would take the pairs for mismatched.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  if (allocations_left >= 0 && allocations_left-- == 0) throw std::bad_alloc();
+  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace sightline {
 namespace {
@@ -206,6 +225,39 @@ TEST(LazyBih, GoesOnAfterBeingMoved) {
   assigned = std::move(moved);
   touch_all(assigned);
   EXPECT_EQ(cells_of(assigned), cells_of(eager));
+}
+
+/// Whoever makes a node may run out of memory: that ray throws, the others go on, and nobody waits for a node that is
+/// not being made.
+TEST(LazyBih, OutlivesAFailedAllocation) {
+  const TriangleMesh mesh = random_mesh(20000);
+  const PrimitivesOf primitives(mesh);
+  const auto eager = build_alone(primitives);
+  int failures = 0;
+  for (int round = 0; round < 8; ++round) {
+    const auto lazy = build_alone(primitives, {.lazy = true});
+    std::atomic<int> thrown = 0;
+    together([&](int thread) {
+      NoProbe probe;
+      const IndexedLeaves leaves(mesh, lazy.leaf_order());
+      const auto rays = random_rays(100, static_cast<unsigned>(thread / 2));
+      std::vector<Hit<float>> expected = hits_of(eager, mesh, rays);
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (thread == 0 && i == 0) allocations_left = round;
+        try {
+          EXPECT_EQ(closest_hit(lazy, leaves, rays[i], probe), expected[i]);
+        } catch (const std::bad_alloc&) {
+          ++thrown;
+        }
+      }
+      allocations_left = -1;
+    });
+    failures += thrown;
+    std::uint32_t next = 0;
+    for (const Shown& cell : cells_of(lazy)) next += cell.count;
+    EXPECT_EQ(next, mesh.size());
+  }
+  EXPECT_GT(failures, 0);
 }
 
 TEST(LazyBih, NoPrimitivesOrInseparableOnes) {
