@@ -84,56 +84,23 @@ std::string catalogue() {
   return text;
 }
 
-TracerSettings::Option parse_setting(const std::string& text, const std::string& whole) {
-  const auto equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) {
-    throw UsageError("'" + whole + "': expected OPTION=VALUE, found '" + text + "'");
+/// \throws std::invalid_argument
+std::vector<AcceleratorSpec> parse_structures(const std::vector<std::string>& texts,
+                                              const std::vector<std::string>& settings) {
+  std::vector<AcceleratorSpec> structures;
+  for (const std::string& text : texts) {
+    for (AcceleratorSpec& spec : parse_accelerators(text)) structures.push_back(std::move(spec));
   }
-  return {text.substr(0, equals), text.substr(equals + 1)};
-}
-
-/// "kd-tree" or "kd-tree:max_leaf_size=8:traversal_cost=2".
-StructureChoice parse_structure(const std::string& text) {
-  StructureChoice choice{text, text.substr(0, text.find(':')), {}};
-  for (auto colon = text.find(':'); colon != std::string::npos;) {
-    const auto next = text.find(':', colon + 1);
-    choice.settings.options.push_back(parse_setting(text.substr(colon + 1, next - colon - 1), text));
-    colon = next;
-  }
-  return choice;
-}
-
-/// "kd-tree.max_leaf_size=8", for every entry of that structure.
-void apply_setting(std::vector<StructureChoice>& structures, const std::string& text) {
-  const auto dot = text.find('.');
-  if (dot == std::string::npos) throw UsageError("--set " + text + ": expected ACCEL.OPTION=VALUE");
-  const std::string accelerator = text.substr(0, dot);
-  const TracerSettings::Option option = parse_setting(text.substr(dot + 1), text);
-  bool is_used = false;
-  for (StructureChoice& choice : structures) {
-    if (choice.accelerator != accelerator) continue;
-    auto& options = choice.settings.options;
-    options.insert(options.begin(), option);  // what the entry itself says comes later and wins
-    is_used = true;
-  }
-  if (!is_used) throw UsageError("--set " + text + ": no accelerator '" + accelerator + "' in this run");
-}
-
-/// Builds every structure over one triangle, which refuses what the registry does not know or allow.
-void check_structures(const std::vector<StructureChoice>& structures) {
-  const auto triangle = std::make_shared<const TriangleMesh>(std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
-                                                             std::vector<TriangleMesh::Corners>{{0, 1, 2}});
+  apply_settings(structures, settings);
   for (std::size_t i = 0; i < structures.size(); ++i) {
-    const StructureChoice& choice = structures[i];
-    try {
-      make_tracer(choice.accelerator, triangle, choice.settings);
-    } catch (const std::invalid_argument& error) {
-      throw UsageError(error.what());
-    }
+    check_accelerator(structures[i]);
     for (std::size_t j = 0; j < i; ++j) {
-      if (structures[j].label == choice.label) throw UsageError("--accel names " + choice.label + " twice");
+      if (structures[j].label == structures[i].label) {
+        throw UsageError("--accel names " + structures[i].label + " twice");
+      }
     }
   }
+  return structures;
 }
 
 std::vector<Workload> parse_workloads(const std::vector<std::string>& names) {
@@ -180,11 +147,10 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   app.add_option("--scene", plan.scenes, "What is traced; repeatable (teapot; dragon:3 if fetched)")
       ->type_name("SPEC")
       ->allow_extra_args(false);
-  app.add_option("--accel", accelerators, "Structures, by commas or repeated (all); NAME:OPTION=VALUE")
-      ->type_name("NAME")
-      ->delimiter(',')
+  app.add_option("--accel", accelerators, "Structures, by commas or repeated (all)")
+      ->type_name("NAME[:OPTION=VALUE,...]")
       ->allow_extra_args(false);
-  app.add_option("--set", settings, "Sets a build option; repeatable")
+  app.add_option("--set", settings, "An option of a structure; repeatable")
       ->type_name("ACCEL.OPTION=VALUE")
       ->allow_extra_args(false);
   app.add_option("--workload", workloads, "Some of build,primary,bounce,shadow (all)")
@@ -232,10 +198,12 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   if (accelerators.empty()) {
     for (const AcceleratorInfo& info : accelerator_infos()) accelerators.emplace_back(info.name);
   }
-  for (const std::string& text : accelerators) plan.structures.push_back(parse_structure(text));
-  for (const std::string& text : settings) apply_setting(plan.structures, text);
-  check_structures(plan.structures);
-  const auto is_spoiled = [&](const StructureChoice& choice) { return choice.label == plan.spoiled; };
+  try {
+    plan.structures = parse_structures(accelerators, settings);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+  const auto is_spoiled = [&](const AcceleratorSpec& choice) { return choice.label == plan.spoiled; };
   if (!plan.spoiled.empty() && std::none_of(plan.structures.begin(), plan.structures.end(), is_spoiled)) {
     throw UsageError("--self-check " + plan.spoiled + ": no such structure in this run");
   }

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sightline/query/tracer.h"
+#include "sightline/query/accelerator_spec.h"
 
 namespace sightline::bench {
 
@@ -27,16 +27,9 @@ inline constexpr std::array<WorkloadInfo, 4> workload_infos{{
 inline constexpr std::size_t workload_count = workload_infos.size();
 inline constexpr std::size_t index_of(Workload workload) { return static_cast<std::size_t>(workload); }
 
-/// A structure of the registry, under the name that the report gives it.
-struct StructureChoice {
-  std::string label;
-  std::string accelerator;
-  TracerSettings settings;
-};
-
 struct Plan {
   std::vector<std::string> scenes;
-  std::vector<StructureChoice> structures;
+  std::vector<AcceleratorSpec> structures;  ///< Under the labels that the report gives them.
   std::vector<Workload> workloads{Workload::build, Workload::primary, Workload::bounce, Workload::shadow};
   std::size_t rays = 100'000;  ///< Of each workload.
   int rounds = 9;

@@ -75,8 +75,9 @@ class Recorder final : public benchmark::BenchmarkReporter {
       done_seconds_ += slot.expected_seconds;
       const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
       const double left = elapsed * (all_seconds_ / done_seconds_ - 1);
-      progress_.say("timing " + found->first + ": " + std::to_string(count_) + " of " + std::to_string(slots_.size()) +
-                    ", about " + std::to_string(static_cast<int>(std::ceil(std::max(0.0, left)))) + " s left");
+      progress_.say("timing", found->first + ", " + std::to_string(count_) + " of " + std::to_string(slots_.size()) +
+                                  ", about " + std::to_string(static_cast<int>(std::ceil(std::max(0.0, left)))) +
+                                  " s left");
     }
   }
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/progress.h"
 #include "bench/stage.h"
+#include "sightline/io/progress.h"
 
 namespace sightline::bench {
 

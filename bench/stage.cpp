@@ -53,7 +53,7 @@ std::string_view reference_name() {
 
 Contenders make_contenders(const Plan& plan) {
   Contenders contenders;
-  for (const StructureChoice& choice : plan.structures) {
+  for (const AcceleratorSpec& choice : plan.structures) {
     TracerSettings settings = choice.settings;
     settings.threads = plan.threads;
     contenders.push_back(make_structure(choice.label, choice.accelerator, settings));

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "bench/contender.h"
-#include "bench/progress.h"
 #include "bench/rays.h"
 #include "bench/report.h"
+#include "sightline/io/progress.h"
 
 namespace sightline::bench {
 

@@ -11,14 +11,8 @@ constexpr std::size_t many_flat_cells = 130;
 
 }  // namespace
 
-void check_structure(const std::string& name, const TracerSettings& settings) {
-  const auto triangle = std::make_shared<const TriangleMesh>(std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
-                                                             std::vector<TriangleMesh::Corners>{{0, 1, 2}});
-  make_tracer(name, triangle, settings);
-}
-
 void wake_lazy_cells(const Tracer& tracer) {
-  if (tracer.name() == "brute-force") return;
+  if (!tracer.is_lazy()) return;
   const std::vector<Ray<float>> rays = primary_rays(Camera::facing(tracer.mesh().bounds(), 160, 120));
   std::vector<Hit<float>> hits(rays.size());
   tracer.closest_hits(rays, hits);

@@ -7,10 +7,7 @@
 
 namespace sightline::viz {
 
-/// Refuses an unknown structure or option before any scene is read. \throws std::invalid_argument
-void check_structure(const std::string& name, const TracerSettings& settings);
-
-/// Casts a coarse picture's rays, so that a lazily built structure has the cells that looking at the scene asks for.
+/// A lazy structure gets the cells that looking at the scene asks for: those of a coarse picture's rays.
 void wake_lazy_cells(const Tracer& tracer);
 
 /// Chooses what reads well where nothing was asked for: a flat structure of many cells (a grid) is cut in the middle.

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "sightline/io/output_file.h"
+#include "sightline/io/progress.h"
 #include "sightline/scene/scenes.h"
 #include "viz/cell_export.h"
 #include "viz/partition_window.h"
@@ -21,22 +22,24 @@ constexpr const char* about = R"(Draws how a structure divides space, or lists w
 
 Examples
   sightline-view list
-  sightline-view partitions --accel kd-tree --scene teapot
-      opens a window: drag to turn, wheel to come closer, Up and Down for the depth
+  sightline-view partitions
+      opens a window on the teapot's kd-tree: drag to turn, wheel to come closer, Up and Down for the depth
   sightline-view partitions --accel kd-tree --scene dragon:3 --out kd.png
       writes a picture; needs no display
   sightline-view partitions --accel box-tree --scene dragon:3 --depth 5:7 --out boxes.png
       only the boxes of the depths 5, 6 and 7
   sightline-view partitions --accel bsp-tree --scene teapot --slice z=0.5 --out cut.png
       the cells that the middle plane cuts, and their sections
-  sightline-view partitions --accel kd-tree --scene teapot --leaves --set max_leaf_size=16 --out leaves.vtp
+  sightline-view partitions --accel kd-tree --scene teapot --leaves --set kd-tree.max_leaf_size=16 --out leaves.vtp
       the leaves of a coarser tree as data, for ParaView
 
 Exit status: 0 done, 1 failure, 2 wrong usage.)";
 
 struct Arguments {
-  std::string accelerator, scene, out, depth, slice, size = "1200x900", data = SIGHTLINE_DATA_DIR;
+  std::string accelerator = "kd-tree", scene = "teapot", out, depth, slice, size = "1200x900",
+              data = SIGHTLINE_DATA_DIR;
   std::vector<std::string> settings;
+  int threads = 0;
   bool leaves = false;
   std::size_t max_cells = CellFilter{}.max_cells;
   double azimuth = 0, elevation = 0, zoom = 1;
@@ -47,8 +50,8 @@ int list() {
   for (const AcceleratorInfo& info : accelerator_infos()) {
     std::printf("  %-14s %s\n", std::string(info.name).c_str(), std::string(info.description).c_str());
     for (const auto& option : info.options) {
-      std::printf("      --set %s=%s: %s (%s)\n", std::string(option.name).c_str(), option.default_value.c_str(),
-                  std::string(option.help).c_str(), option.allowed.c_str());
+      std::printf("      --set %s.%s=%s: %s (%s)\n", std::string(info.name).c_str(), std::string(option.name).c_str(),
+                  option.default_value.c_str(), std::string(option.help).c_str(), option.allowed.c_str());
     }
   }
   std::printf("scenes\n");
@@ -63,9 +66,8 @@ int list() {
 /// Everything that can be refused is refused before the scene is read, so that nobody waits for an error.
 int show_partitions(const Arguments& arguments, const CLI::App& command) {
   const OutputKind kind = output_kind(arguments.out);
-  TracerSettings settings;
-  for (const std::string& text : arguments.settings) settings.options.push_back(parse_option(text));
-  check_structure(arguments.accelerator, settings);
+  AcceleratorSpec structure = parse_structure(arguments.accelerator, arguments.settings);
+  structure.settings.threads = arguments.threads;
 
   CellFilter filter;
   filter.leaves_only = arguments.leaves;
@@ -90,20 +92,25 @@ int show_partitions(const Arguments& arguments, const CLI::App& command) {
   std::optional<PictureScreen> screen;
   if (kind == OutputKind::png) screen.emplace();
 
+  Progress progress;
+  progress.say("reading " + arguments.scene);
   const auto mesh = load_scene(arguments.scene, arguments.data);
-  const auto tracer = make_tracer(arguments.accelerator, mesh, settings);
+  progress.say("building " + structure.label + " of " + with_commas(mesh->size()) + " triangles");
+  const auto tracer = make_tracer(structure.accelerator, mesh, structure.settings);
   wake_lazy_cells(*tracer);
+  progress.say("drawing " + structure.label);
   if (arguments.depth.empty() && arguments.slice.empty() && !arguments.leaves) suit_filter(*tracer, filter);
   const Caption caption = caption_of(*tracer, arguments.scene);
   const Partition partition = select_cells(*tracer, filter);
   if (partition.cells.empty()) {
-    throw std::runtime_error(arguments.accelerator + " on " + arguments.scene + ": none of its " +
+    throw std::runtime_error(structure.label + " on " + arguments.scene + ": none of its " +
                              with_commas(partition.total) + " cells (depth 0 to " +
                              std::to_string(partition.total_deepest) + ") match");
   }
   const PartitionPicture picture{*mesh, partition, filter.slice, caption, view};
   switch (kind) {
     case OutputKind::window:
+      progress.clear();
       open_partition_window(*tracer, filter, picture);
       return success;
     case OutputKind::png:
@@ -116,27 +123,35 @@ int show_partitions(const Arguments& arguments, const CLI::App& command) {
       write_gltf(arguments.out, partition, *mesh);
       break;
   }
+  progress.clear();
   std::cerr << arguments.out << ": " << summary(partition) << '\n';
   return success;
 }
 
 int run(int argc, char** argv) {
   CLI::App app(about, "sightline-view");
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   Arguments arguments;
+  bool is_list = false;
+  app.add_flag("--list", is_list, "The same as `list`");
   app.add_option("--data", arguments.data, "Folder of scene data")->option_text("DIR");
   CLI::App* listing = app.add_subcommand("list", "The accelerators with their options, and the scenes");
   CLI::App* command = app.add_subcommand("partitions", "The cells of a structure over the mesh");
   command->fallthrough();
   listing->fallthrough();
-  command->add_option("--accel", arguments.accelerator, "The structure; see `list`")->required()->option_text("NAME");
-  command->add_option("--scene", arguments.scene, "A scene of `list`, with or without :SIZE, or a mesh file")
-      ->required()
+  command->add_option("--accel", arguments.accelerator, "The structure, see --list; default kd-tree")
+      ->option_text("NAME[:OPTION=VALUE,...]");
+  command
+      ->add_option("--scene", arguments.scene,
+                   "A scene of --list, with or without :SIZE, or a mesh file; default teapot")
       ->option_text("SCENE");
   command->add_option("--set", arguments.settings, "An option of the structure; may be repeated")
-      ->option_text("OPTION=VALUE")
+      ->option_text("ACCEL.OPTION=VALUE")
       ->expected(1)
       ->take_all();
+  command->add_option("--threads", arguments.threads, "Threads to build with, to 1024; default 0: all")
+      ->check(CLI::Range(0, 1024))
+      ->option_text("N");
   command->add_option("--depth", arguments.depth, "Depths to show, the root's is 0; default: as many as read well")
       ->option_text("MIN:MAX");
   command->add_flag("--leaves", arguments.leaves, "Leaves only, of all depths");
@@ -164,9 +179,15 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
+    const std::string first = argc > 1 ? argv[1] : "-";
+    if (first[0] != '-' && first != "partitions" && first != "list") {
+      throw UsageError("unknown subcommand '" + first + "'; expected partitions or list (see --help)");
+    }
     throw UsageError(std::string(error.what()) + " (see --help)");
   }
-  return listing->parsed() ? list() : show_partitions(arguments, *command);
+  if (is_list || listing->parsed()) return list();
+  if (!command->parsed()) throw UsageError("expected a subcommand: partitions or list (see --help)");
+  return show_partitions(arguments, *command);
 }
 
 }  // namespace

@@ -54,10 +54,14 @@ Slice parse_slice(const std::string& text) {
   return {static_cast<int>(axes.find(text[0])), *share};
 }
 
-TracerSettings::Option parse_option(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) refuse("--set", text, "OPTION=VALUE; as in max_leaf_size=8");
-  return {text.substr(0, equals), text.substr(equals + 1)};
+AcceleratorSpec parse_structure(const std::string& text, const std::vector<std::string>& settings) try {
+  std::vector<AcceleratorSpec> specs = parse_accelerators(text);
+  if (specs.size() != 1) refuse("--accel", text, "one structure");
+  apply_settings(specs, settings);
+  check_accelerator(specs.front());
+  return specs.front();
+} catch (const std::invalid_argument& error) {
+  throw UsageError(error.what());
 }
 
 PictureSize parse_size(const std::string& text) {

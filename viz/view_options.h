@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "sightline/query/accelerator_spec.h"
 #include "viz/partition_picture.h"
 
 namespace sightline::viz {
@@ -22,8 +23,8 @@ struct DepthRange {
 DepthRange parse_depth(const std::string& text);
 /// "y=0.5". \throws UsageError
 Slice parse_slice(const std::string& text);
-/// "max_leaf_size=8". \throws UsageError
-TracerSettings::Option parse_option(const std::string& text);
+/// --accel and --set, of one structure that the registry knows and allows. \throws UsageError
+AcceleratorSpec parse_structure(const std::string& text, const std::vector<std::string>& settings);
 /// "1200x900". \throws UsageError
 struct PictureSize {
   int width, height;

@@ -18,7 +18,10 @@ refuses 2 no-such-tree "$bench" --accel no-such-tree
 refuses 2 brute-force "$bench" --accel no-such-tree # the message lists what there is
 refuses 2 --no-such-option "$bench" --no-such-option
 refuses 2 no_such_field "$bench" --accel kd-tree:no_such_field=1
+refuses 2 NAME "$bench" --accel kd-tree:8
+refuses 2 twice "$bench" --accel kd-tree:max_leaf_size=8,max_depth=9 --accel kd-tree:max_leaf_size=8,max_depth=9
 refuses 2 kd-tree "$bench" --set kd-tree.max_leaf_size=-5
+refuses 2 ACCEL.OPTION=VALUE "$bench" --set max_leaf_size=5
 refuses 2 max_leaf_size "$bench" --set kd-tree.max_leaf_size=nan
 refuses 2 expected "$bench" --set nonsense
 refuses 2 no-such-work "$bench" --workload no-such-work
@@ -41,6 +44,12 @@ expect_prints kd-tree
 expect_prints embree
 expect_file out.json
 check 'only the file that was asked for' test "$(ls -A "$work")" = out.json
+run "$bench" "${quick[@]}" --accel kd-tree:max_leaf_size=16,max_depth=5,bih --set bih.lazy=true --json out.json
+expect_exit 0
+expect_prints kd-tree:max_leaf_size=16,max_depth=5
+for option in '"max_depth": *"5"' '"max_leaf_size": *"16"' '"lazy": *"true"'; do
+  check "$option in the JSON file" grep -q -e "$option" "$work/out.json"
+done
 run "$bench" "${quick[@]}" --accel kd-tree --self-check kd-tree --json out.json
 expect_exit 1
 expect_one_line

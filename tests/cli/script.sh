@@ -18,6 +18,16 @@ refuses 2 "did you mean 'doctor'" "$root/sightline" doc
 refuses 2 'unknown command' "$root/sightline" ''
 refuses 2 'unknown command' "$root/sightline" 'b*'
 refuses 2 'unknown command' "$root/sightline" help nothing
+refuses 2 "unexpected 'x'" "$root/sightline" doctor x
+refuses 2 "unexpected 'view'" "$root/sightline" help bench view
+refuses 2 "unexpected 'x'" "$root/sightline" --help bench x
+refuses 2 "unexpected 'x'" "$root/sightline" --version x
+for flag in --version -v; do
+  run "$root/sightline" "$flag"
+  expect_exit 0
+  expect_quiet
+  check 'the version of CMakeLists.txt' grep -q "^project(sightline VERSION $(sed -n 's/^sightline //p' "$scratch/stdout") " "$root/CMakeLists.txt"
+done
 refuses 2 'unknown preset' "$root/sightline" test --preset fast
 refuses 2 'unknown preset' "$root/sightline" test --preset
 for name in test doctor fetch help; do
@@ -59,6 +69,20 @@ on_machine "$house/sightline" doctor
 expect_exit 0
 expect_quiet
 expect_prints 'not installed'
+
+for name in tour bench view; do
+  for asked in "$name --help" "help $name" "$name -h"; do
+    # shellcheck disable=SC2086 # two words
+    on_machine "$house/sightline" $asked
+    expect_exit 0
+    expect_one_line
+    expect_says 'the full help comes from the program'
+    expect_prints "usage: ./sightline $name"
+    expect_prints --scene
+    check 'one help only' test "$(grep -c usage: "$scratch/stdout")" = 1
+  done
+done
+check 'nothing built' test ! -e "$house/build"
 
 replace id 'echo 1000'
 on_machine "$house/sightline" bench
@@ -132,7 +156,11 @@ rm -f "$scratch/log"
 on_machine "$house/sightline" view --help
 expect_exit 7
 expect_prints '<--help>'
-no_call 'cmake -S'
+no_call cmake
+on_machine "$house/sightline" help view
+expect_exit 7
+expect_prints '<--help>'
+no_call cmake
 
 mkdir -p "$house/data"
 printf '#!/bin/bash\necho fetch >>"$LOG"; exit 1\n' >"$house/data/fetch"

@@ -29,9 +29,10 @@ cell=(partitions --accel kd-tree --scene teapot:4)
 
 # Usage
 expect 2 "accelerator 'octopus'" partitions --accel octopus --scene teapot --out "$folder/a.png"
-expect 2 "no option 'leaf_size'" "${cell[@]}" --set leaf_size=3 --out "$folder/a.png"
-expect 2 "max_leaf_size" "${cell[@]}" --set max_leaf_size=none --out "$folder/a.png"
-expect 2 "OPTION=VALUE" "${cell[@]}" --set max_leaf_size --out "$folder/a.png"
+expect 2 "no option 'leaf_size'" "${cell[@]}" --set kd-tree.leaf_size=3 --out "$folder/a.png"
+expect 2 "max_leaf_size" "${cell[@]}" --set kd-tree.max_leaf_size=none --out "$folder/a.png"
+expect 2 "OPTION=VALUE" "${cell[@]}" --set kd-tree.max_leaf_size --out "$folder/a.png"
+expect 2 "ACCEL.OPTION=VALUE" "${cell[@]}" --set max_leaf_size=8 --out "$folder/a.png"
 expect 2 "--depth" "${cell[@]}" --depth 7:2 --out "$folder/a.png"
 expect 2 "--depth" "${cell[@]}" --depth deep --out "$folder/a.png"
 expect 2 "--slice" "${cell[@]}" --slice w=0.5 --out "$folder/a.png"
@@ -40,7 +41,7 @@ expect 2 "--slice" "${cell[@]}" --slice y=nan --out "$folder/a.png"
 expect 2 "--size" "${cell[@]}" --size 0x0 --out "$folder/a.png"
 expect 2 "--out" "${cell[@]}" --out "$folder/a.bmp"
 expect 2 "--max-cells|max_cells" "${cell[@]}" --max-cells 0 --out "$folder/a.png"
-expect 2 "--accel" partitions --scene teapot
+expect 2 "--accel" partitions --accel kd-tree,bih --scene teapot
 expect 2 "subcommand" 
 expect 2 "." partitions --accel kd-tree --scene teapot --nonsense
 expect 2 "no-such-scene" partitions --accel kd-tree --scene no-such-scene --out "$folder/a.vtp"

@@ -53,6 +53,8 @@ class Tracer : public Queries<float>, public Queries<double> {
   /// Copies of the triangles in leaf order.
   virtual std::size_t leaf_bytes() const = 0;
   virtual std::span<const std::uint32_t> leaf_order() const = 0;
+  /// Whether queries go on building the structure, so that its cells are those asked for so far.
+  virtual bool is_lazy() const = 0;
   virtual void for_each_cell(const std::function<void(const Cell&)>& see) const = 0;
 };
 

@@ -74,6 +74,7 @@ class TracerOf final : public QueriesOf<TracerOf<A>, double, QueriesOf<TracerOf<
   std::size_t structure_bytes() const override { return accel_.memory_bytes(); }
   std::size_t leaf_bytes() const override { return packed_.memory_bytes(); }
   std::span<const std::uint32_t> leaf_order() const override { return accel_.leaf_order(); }
+  bool is_lazy() const override { return !accel_.is_order_final(); }
   void for_each_cell(const std::function<void(const Cell&)>& see) const override { accel_.for_each_cell(see); }
 
   template <class Use>

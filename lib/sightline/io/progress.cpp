@@ -1,0 +1,82 @@
+#include "sightline/io/progress.h"
+
+#include <signal.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace sightline {
+namespace {
+
+constexpr std::chrono::milliseconds redraw_interval{500};
+constexpr std::chrono::hours idle_interval{1};
+
+int terminal_width() {
+  winsize window{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col > 1 ? window.ws_col : 80;
+}
+
+}  // namespace
+
+Progress::Progress(Clock::duration patience) : patience_(patience), is_terminal_(isatty(STDERR_FILENO) != 0) {
+  // Signals are for the program's own threads: the new one inherits a mask that leaves none to it.
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  watcher_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+void Progress::say(const std::string& step, const std::string& detail) {
+  const std::lock_guard lock(mutex_);
+  detail_ = detail;
+  if (step == step_) return;
+  step_ = step;
+  start_ = Clock::now();
+  is_shown_ = false;
+  change_.notify_one();
+}
+
+void Progress::clear() {
+  const std::lock_guard lock(mutex_);
+  step_.clear();
+  if (!is_line_open_) return;
+  std::fputs("\r\033[K", stderr);
+  std::fflush(stderr);
+  is_line_open_ = false;
+}
+
+void Progress::watch(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  while (!stop.stop_requested()) {
+    const Clock::time_point now = Clock::now();
+    Clock::time_point next = now + idle_interval;
+    if (!step_.empty()) {
+      // A terminal's line that is open already belongs to whatever is going on.
+      const bool is_due = is_line_open_ || now - start_ >= patience_;
+      if (is_due && (is_terminal_ || !is_shown_)) show(now);
+      if (!is_due) next = start_ + patience_;
+      if (is_due && is_terminal_) next = now + redraw_interval;
+    }
+    const std::string seen = step_;
+    const Clock::time_point seen_start = start_;
+    change_.wait_until(lock, stop, next, [&] { return step_ != seen || start_ != seen_start; });
+  }
+}
+
+void Progress::show(Clock::time_point now) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now - start_).count();
+  const std::string text =
+      step_ + (detail_.empty() ? "" : ": " + detail_) + " (" + std::to_string(seconds) + " s so far)";
+  is_shown_ = true;
+  if (!is_terminal_) {
+    std::fprintf(stderr, "%s\n", text.c_str());
+    return;
+  }
+  std::fprintf(stderr, "\r%.*s\033[K", terminal_width() - 1, text.c_str());  // one that wraps could not be overwritten
+  std::fflush(stderr);
+  is_line_open_ = true;
+}
+
+}  // namespace sightline
