@@ -264,7 +264,11 @@ vtkSmartPointer<vtkPolyData> mesh_surface(const TriangleMesh& mesh) {
     points->SetPoint(static_cast<vtkIdType>(i), &mesh.positions()[i][0]);
   }
   auto triangles = vtkSmartPointer<vtkCellArray>::New();
+  std::set<TriangleMesh::Corners> drawn;
   for (const TriangleMesh::Corners& corners : mesh.triangles()) {
+    TriangleMesh::Corners sorted = corners;
+    std::sort(sorted.begin(), sorted.end());
+    if (!drawn.insert(sorted).second) continue;
     const vtkIdType ids[] = {corners[0], corners[1], corners[2]};
     triangles->InsertNextCell(3, ids);
   }

@@ -25,6 +25,7 @@ struct Sections {
 };
 Sections cell_sections(std::span<const Cell> cells, int axis, double position);
 
+/// Each triangle once, however often the mesh repeats it: what is drawn over itself shows nothing new.
 vtkSmartPointer<vtkPolyData> mesh_surface(const TriangleMesh& mesh);
 
 }  // namespace sightline::viz

@@ -67,6 +67,12 @@ TEST(Cells, FilterKeepsTheLargest) {
   EXPECT_LE(larger, 2U);
 }
 
+TEST(Meshes, ShowEachTriangleOnce) {
+  const TriangleMesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {2, 0, 1}, {0, 1, 3}, {0, 1, 2}});
+  EXPECT_EQ(mesh_surface(mesh)->GetNumberOfPolys(), 2);
+  EXPECT_EQ(mesh_surface(mesh)->GetNumberOfPoints(), 4);
+}
+
 TEST(Colors, LightnessRises) {
   const auto light = [](const Rgb& c) {
     return 0.2126 * linear_from_srgb(c[0]) + 0.7152 * linear_from_srgb(c[1]) + 0.0722 * linear_from_srgb(c[2]);
