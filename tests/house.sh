@@ -11,7 +11,7 @@ largest_file=1048576    # bytes
 
 # A room may include itself and what stands after its name; SYSTEM headers that have a folder, what stands after the bar.
 arrows='
-math    | glm
+math    | glm hwy
 shape   math | glm
 accel   math | glm tbb
 query   accel shape math | glm tbb

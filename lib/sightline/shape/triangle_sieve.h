@@ -1,0 +1,147 @@
+#pragma once
+/// Up to eight triangles against one ray at once, in float.
+///
+/// The test is that of triangle.h: edge functions of the sheared triangle. In float their signs are certain only
+/// outside an error bound, so the sieve keeps every triangle that may be crossed, and few others; the exact test
+/// decides about those. `cross` takes the signs as float gives them instead, and is what the precision level `fast`
+/// uses.
+///
+/// With u = 2^-24, R the largest distance over the axes from the origin to the scene's bounds, and E a triangle's
+/// largest extent along an axis:
+///   E1  Where the line meets the triangle, each sheared coordinate is at most 2 E: the point it meets has sheared
+///       coordinates 0 and lies within E of every vertex, and slopes are at most 1.
+///   E2  A sheared coordinate is off by at most e = 6 u R + 2 o: two rounded differences, a rounded slope, a product, a
+///       difference of at most 2 R; o is what rounding the origin to float has moved it.
+///   E3  An edge function of coordinates up to m = 2 E + e is off by at most m (4 e + 4 u m).
+///   E4  Where squares of coordinates might leave the range of float nothing is sifted out; e is at least 2^-60, which
+///       covers what underflows.
+
+#include <cstdint>
+#include <utility>
+
+#include "sightline/math/aabb.h"
+#include "sightline/math/ray.h"
+#include "sightline/math/simd.h"
+#include "sightline/shape/triangle.h"
+
+namespace sightline {
+
+/// Triangles of one leaf as structure of arrays: nine rows of coordinates (a.x, a.y, a.z, b.x, ... c.z) and one of
+/// twice the extent, each row as long as there are triangles. Reading a row may run over its end by up to `lanes`
+/// floats.
+class TriangleBlock {
+ public:
+  static constexpr std::uint32_t lanes = 8;
+  static constexpr std::uint32_t rows = 10;
+  static constexpr std::uint32_t size_row = 9;
+
+  TriangleBlock(const float* rows_begin, std::uint32_t count) : rows_(rows_begin), count_(count) {}
+
+  std::uint32_t count() const { return count_; }
+  const float* row(std::uint32_t index) const { return rows_ + index * count_; }
+
+  Triangle operator[](std::uint32_t lane) const {
+    const float* at = rows_ + lane;
+    const auto next = [&] { return *std::exchange(at, at + count_); };
+    Triangle triangle;
+    for (Vec3f* corner : {&triangle.a, &triangle.b, &triangle.c}) {
+      for (int axis = 0; axis < 3; ++axis) (*corner)[axis] = next();
+    }
+    return triangle;
+  }
+
+  /// Writes a triangle into the lane of the block of `count` that begins at `rows_begin`.
+  static void store(const Triangle& triangle, float* rows_begin, std::uint32_t count, std::uint32_t lane);
+
+ private:
+  const float* rows_;
+  std::uint32_t count_;
+};
+
+class TriangleSieve {
+ public:
+  /// `bounds` contain every triangle that will be tested.
+  TriangleSieve(const Ray<double>& ray, const Aabb& bounds);
+
+  /// One bit a lane: set where the line of the ray may cross the triangle, and always set where it does.
+  std::uint32_t may_cross(const TriangleBlock& block) const {
+    return gather_bits(block, [&](std::uint32_t lane) {
+      const Edges e = edges(block, lane);
+      const V reach = hn::Add(hn::LoadU(d, block.row(TriangleBlock::size_row) + lane), hn::Set(d, error_));  // m of E3
+      const V bound = hn::Mul(reach, hn::MulAdd(hn::Set(d, 4.1f * unit_roundoff), reach, hn::Set(d, 4.1f * error_)));
+      const V lowest = hn::Min(e.u, hn::Min(e.v, e.w)), highest = hn::Max(e.u, hn::Max(e.v, e.w));
+      return hn::Not(hn::And(hn::Lt(lowest, hn::Neg(bound)), hn::Gt(highest, bound)));
+    });
+  }
+
+  /// What `cross` found, by lanes.
+  struct Crossings {
+    std::uint32_t hits = 0;    ///< Bits of lanes with t within the range.
+    std::uint32_t unsure = 0;  ///< Bits of lanes that float cannot tell t of; other lanes have no crossing.
+    alignas(64) float t[TriangleBlock::lanes], u[TriangleBlock::lanes], v[TriangleBlock::lanes];
+  };
+
+  /// Crossings with t_min < t <= far, with signs and parameters as float computes them.
+  ///   E5  A hit at t lies within 26 u R, on every axis, of the point of the triangle with the weights u and v, which
+  ///       margin M1 (padded_ray.h) allows: coordinates are off by e (6 u R), the weighted mean of the vertices strays
+  ///       from the line by 12 u M^3 / |sum|, where M is the largest sheared coordinate and sum that of the edge
+  ///       functions, t d from the mean by 8 u R. Where M^3 > R |sum|, as in triangles seen edge-on, or where numbers
+  ///       leave the middle of the range of float, lanes are unsure.
+  void cross(const TriangleBlock& block, float t_min, float far, Crossings& found) const;
+
+ private:
+  using D = hn::CappedTag<float, TriangleBlock::lanes>;
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+  static constexpr D d{};
+  static constexpr float unit_roundoff = 0x1p-24f;
+
+  struct Edges {
+    V u, v, w;                 ///< Edge functions opposite to a, b and c.
+    V az, bz, cz;              ///< Along the direction's largest component, from the origin.
+    V ax, ay, bx, by, cx, cy;  ///< Sheared.
+  };
+
+  Edges edges(const TriangleBlock& block, std::uint32_t lane) const {
+    const V ox = hn::Set(d, origin_[0]), oy = hn::Set(d, origin_[1]), oz = hn::Set(d, origin_[2]);
+    const V sx = hn::Set(d, shear_x_), sy = hn::Set(d, shear_y_);
+    const auto load = [&](int corner, int axis) {
+      return hn::LoadU(d, block.row(static_cast<std::uint32_t>(3 * corner + axes_[axis])) + lane);
+    };
+    Edges e;
+    e.az = hn::Sub(load(0, 2), oz), e.bz = hn::Sub(load(1, 2), oz), e.cz = hn::Sub(load(2, 2), oz);
+    e.ax = hn::NegMulAdd(sx, e.az, hn::Sub(load(0, 0), ox)), e.ay = hn::NegMulAdd(sy, e.az, hn::Sub(load(0, 1), oy));
+    e.bx = hn::NegMulAdd(sx, e.bz, hn::Sub(load(1, 0), ox)), e.by = hn::NegMulAdd(sy, e.bz, hn::Sub(load(1, 1), oy));
+    e.cx = hn::NegMulAdd(sx, e.cz, hn::Sub(load(2, 0), ox)), e.cy = hn::NegMulAdd(sy, e.cz, hn::Sub(load(2, 1), oy));
+    e.u = hn::MulSub(e.cx, e.by, hn::Mul(e.cy, e.bx));
+    e.v = hn::MulSub(e.ax, e.cy, hn::Mul(e.ay, e.cx));
+    e.w = hn::MulSub(e.bx, e.ay, hn::Mul(e.by, e.ax));
+    return e;
+  }
+
+  /// Bits of the lanes in which test(first lane) is true, as many registers as the lanes need.
+  template <class Test>
+  static std::uint32_t gather_bits(const TriangleBlock& block, Test&& test) {
+    std::uint32_t bits = 0;
+    for (std::uint32_t lane = 0; lane < block.count(); lane += hn::Lanes(d)) {
+      bits |= bits_of(test(lane)) << lane;
+    }
+    return bits & ((1u << block.count()) - 1);
+  }
+
+  static std::uint32_t bits_of(M mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, mask, bytes);
+    return bytes[0];
+  }
+
+  float origin_[3];          ///< In the order of axes_.
+  int axes_[3];              ///< The last is that of the direction's largest component.
+  float shear_x_, shear_y_;  ///< Slopes against the last axis.
+  float scale_z_;
+  float error_;       ///< e of E2, without u M.
+  float reach_;       ///< R.
+  bool is_ordinary_;  ///< Nothing that `cross` computes overflows or underflows.
+};
+
+}  // namespace sightline

@@ -1,0 +1,160 @@
+/// The sieve of eight triangles: what the exact test accepts it never drops, what is clearly missed it drops, and what
+/// it reports of its own accord lies where the exact test finds it.
+
+#include "sightline/shape/triangle_sieve.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include "sightline/math/random.h"
+
+namespace sightline {
+namespace {
+
+constexpr std::uint32_t lanes = TriangleBlock::lanes;
+
+struct Block {
+  std::vector<Triangle> triangles;
+  std::vector<float> floats;
+
+  explicit Block(std::vector<Triangle> those)
+      : triangles(std::move(those)), floats(triangles.size() * TriangleBlock::rows + lanes) {
+    for (std::uint32_t lane = 0; lane < count(); ++lane) {
+      TriangleBlock::store(triangles[lane], floats.data(), count(), lane);
+    }
+  }
+  std::uint32_t count() const { return static_cast<std::uint32_t>(triangles.size()); }
+  TriangleBlock view() const { return {floats.data(), count()}; }
+  Aabb bounds() const {
+    Aabb box;
+    for (const Triangle& triangle : triangles) box.extend(bounds_of(triangle));
+    return box;
+  }
+};
+
+Vec3f random_point(Random& random, float from, float to) {
+  return {random.uniform(from, to), random.uniform(from, to), random.uniform(from, to)};
+}
+
+/// One to eight triangles about as large as `size` in the cube [-1, 1], moved and scaled.
+Block random_block(Random& random, float size, float scale, const Vec3f& offset) {
+  std::vector<Triangle> triangles(1 + random.next() % lanes);
+  for (Triangle& triangle : triangles) {
+    const Vec3f at = random_point(random, -1, 1);
+    triangle = {at + size * random_point(random, -1, 1), at + size * random_point(random, -1, 1),
+                at + size * random_point(random, -1, 1)};
+    for (Vec3f* corner : {&triangle.a, &triangle.b, &triangle.c}) *corner = scale * *corner + offset;
+  }
+  return Block(std::move(triangles));
+}
+
+/// At the inside, an edge or a corner of a triangle, as nearly as float can aim.
+Ray<float> ray_at(Random& random, const Triangle& target, float distance) {
+  float weights[3] = {random.uniform(0.f, 1.f), random.uniform(0.f, 1.f), random.uniform(0.f, 1.f)};
+  for (std::uint64_t out = random.next() % 3; out > 0; --out) weights[out] = 0;
+  const float sum = std::max(weights[0] + weights[1] + weights[2], 1e-6f);
+  const Vec3f point = (weights[0] * target.a + weights[1] * target.b + weights[2] * target.c) / sum;
+  const Vec3f origin = point + distance * random_point(random, -1, 1);
+  return {origin, point - origin};
+}
+
+struct Setting {
+  float size, scale, distance;
+  Vec3f offset;
+};
+const std::vector<Setting> settings{
+    {0.5f, 1, 4, {0, 0, 0}},     {0.01f, 1, 4, {0, 0, 0}},        {1e-5f, 1, 4, {0, 0, 0}},
+    {0.1f, 1e-30f, 1e-29f, {}},  {0.1f, 1e18f, 1e19f, {}},        {0.1f, 1e30f, 1e31f, {}},
+    {0.1f, 1, 3, {1e4f, -3, 5}}, {0.01f, 100, 1e6f, {0, 7e4, 0}}, {0.1f, 1e-12f, 1, {0, 0, 0}},
+};
+
+TEST(TriangleSieve, KeepsWhatTheExactTestAccepts) {
+  Random random(51);
+  int accepted = 0;
+  for (const Setting& at : settings) {
+    for (int round = 0; round < 3000; ++round) {
+      const Block block = random_block(random, at.size, at.scale, at.offset);
+      const Ray<float> ray = ray_at(random, block.triangles[round % block.count()], at.distance);
+      Ray<double> wide = to_double(ray);
+      if (round % 3 == 0) wide.origin += 1e-9 * wide.direction;  // an origin that is no float
+      const TriangleRay exact(wide, block.bounds());
+      const std::uint32_t kept = TriangleSieve(wide, block.bounds()).may_cross(block.view());
+      EXPECT_LT(kept, 1u << block.count());
+      for (std::uint32_t lane = 0; lane < block.count(); ++lane) {
+        Crossing crossing;
+        const bool is_hit = exact.intersect(block.triangles[lane], crossing);
+        accepted += is_hit;
+        ASSERT_TRUE(!is_hit || (kept >> lane & 1)) << "size " << at.size << " scale " << at.scale;
+      }
+    }
+  }
+  EXPECT_GT(accepted, 10'000);
+}
+
+TEST(TriangleSieve, DropsWhatIsMissed) {
+  Random random(52);
+  int kept = 0, accepted = 0;
+  for (int round = 0; round < 5000; ++round) {
+    const Block block = random_block(random, 0.4f, 1, Vec3f(0));
+    const Ray<double> ray = to_double(Ray<float>{random_point(random, -1, 1), random_point(random, -1, 1)});
+    const TriangleRay exact(ray, block.bounds());
+    kept += std::popcount(TriangleSieve(ray, block.bounds()).may_cross(block.view()));
+    for (const Triangle& triangle : block.triangles) {
+      Crossing crossing;
+      accepted += exact.intersect(triangle, crossing);
+    }
+  }
+  EXPECT_GT(accepted, 20);
+  EXPECT_LE(kept, accepted + 2);
+}
+
+TEST(TriangleSieve, CrossesWhereTheExactTestDoes) {
+  Random random(53);
+  int hits = 0;
+  for (const Setting& at : settings) {
+    for (int round = 0; round < 3000; ++round) {
+      const Block block = random_block(random, at.size, at.scale, at.offset);
+      const Ray<float> ray = ray_at(random, block.triangles[round % block.count()], at.distance);
+      const Ray<double> wide = to_double(ray);
+      const Aabb bounds = block.bounds();
+      const double reach =
+          max_norm(glm::max(glm::abs(Vec3d(bounds.lo) - wide.origin), glm::abs(Vec3d(bounds.hi) - wide.origin)));
+      TriangleSieve::Crossings found;
+      TriangleSieve(wide, bounds).cross(block.view(), 0, 1e30f, found);
+      EXPECT_EQ(found.hits & found.unsure, 0u);
+      for (std::uint32_t lane = 0; lane < block.count(); ++lane) {
+        if (!(found.hits >> lane & 1)) continue;
+        ++hits;
+        EXPECT_TRUE(found.u[lane] >= 0 && found.v[lane] >= 0 && found.u[lane] + found.v[lane] <= 1.000001f);
+        // E5: the point on the ray is the point with those weights.
+        const Triangle& triangle = block.triangles[lane];
+        const double u = found.u[lane], v = found.v[lane];
+        const Vec3d point = (1 - u - v) * Vec3d(triangle.a) + u * Vec3d(triangle.b) + v * Vec3d(triangle.c);
+        EXPECT_LE(max_norm(wide.at(found.t[lane]) - point), 32 * 0x1p-24 * reach);
+      }
+    }
+  }
+  EXPECT_GT(hits, 5000);
+}
+
+TEST(TriangleSieve, HitsOnlyWithinTheRange) {
+  const Block block({{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, {{0, 0, 2}, {1, 0, 2}, {0, 1, 2}}});
+  const Ray<double> ray{{0.25, 0.25, 0}, {0, 0, 1}};
+  const TriangleSieve sieve(ray, block.bounds());
+  TriangleSieve::Crossings found;
+  sieve.cross(block.view(), 0, 3, found);
+  EXPECT_EQ(found.hits, 3u);
+  EXPECT_EQ(found.t[0], 1);
+  EXPECT_EQ(found.t[1], 2);
+  sieve.cross(block.view(), 1, 2, found);
+  EXPECT_EQ(found.hits, 2u);
+  sieve.cross(block.view(), 0, 1.5f, found);
+  EXPECT_EQ(found.hits, 1u);
+}
+
+}  // namespace
+}  // namespace sightline
