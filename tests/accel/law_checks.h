@@ -76,6 +76,27 @@ std::string dump(const A& accel) {
   return out.str();
 }
 
+/// Queries of the triangles as they are packed give what brute force gives at the same level, bit for bit; at the level
+/// `watertight` that is `expected`.
+template <Level level, class A>
+void expect_packed_hits(const TriangleMesh& mesh, const BruteForce& brute, const A& accel,
+                        const std::vector<Ray<float>>& rays) {
+  const TriangleBlocks all(mesh, brute), blocks(mesh, accel);
+  const PackedLeaves<level> brute_leaves(mesh, all, brute.leaf_order()), leaves(mesh, blocks, accel.leaf_order());
+  const IndexedLeaves one_by_one(mesh, brute.leaf_order());
+  NoProbe probe;
+  int failures = 0;
+  for (const Ray<float>& ray : rays) {
+    const Hit<float> expected = level == Level::watertight ? closest_hit(brute, one_by_one, ray, probe)
+                                                           : closest_hit(brute, brute_leaves, ray, probe);
+    const Hit<float> found = closest_hit(accel, leaves, ray, probe);
+    const bool is_right = is_same(found, expected) && any_hit(accel, leaves, ray, probe) == expected.is_hit();
+    EXPECT_TRUE(is_right) << "packed, level " << static_cast<int>(level) << ' ' << text(ray) << "\n  found    "
+                          << text(found) << "\n  expected " << text(expected);
+    ASSERT_LT(failures += !is_right, 4) << "more of the same left out";
+  }
+}
+
 /// Every query of every ray gives what brute force gives, bit for bit.
 template <class A, class T, Shapes S>
 void expect_brute_force_hits(const S& shapes, const std::vector<Ray<T>>& rays,
@@ -100,6 +121,11 @@ void expect_brute_force_hits(const S& shapes, const std::vector<Ray<T>>& rays,
     EXPECT_EQ(is_hit, !expected.empty()) << text(ray);
     if (!is_same(found, expected) || !is_same(closest, nearest) || is_hit == expected.empty()) ++failures;
     ASSERT_LT(failures, 4) << "more of the same left out";
+  }
+  if constexpr (std::is_same_v<S, TriangleMesh> && std::is_same_v<T, float>) {
+    if (!accel.is_order_final()) return;
+    expect_packed_hits<Level::watertight>(shapes, brute, accel, rays);
+    expect_packed_hits<Level::fast>(shapes, brute, accel, rays);
   }
 }
 

@@ -53,7 +53,8 @@ TEST(Tracer, AnswersTheSamePackedCountedRecordedAndInBatches) {
   const auto mesh = small_mesh();
   const auto rays = random_rays(mesh->bounds(), 500, 2);
   for (const AcceleratorInfo& info : accelerator_infos()) {
-    const auto packed = make_tracer(info.name, mesh), indexed = make_tracer(info.name, mesh, {.options = {}, .pack_leaves = false});
+    const auto packed = make_tracer(info.name, mesh),
+               indexed = make_tracer(info.name, mesh, {.options = {}, .pack_leaves = false});
     EXPECT_EQ(indexed->leaf_bytes(), 0u);
     std::vector<Hit<float>> hits(rays.size()), same(rays.size());
     std::vector<std::uint8_t> any(rays.size());
@@ -71,6 +72,30 @@ TEST(Tracer, AnswersTheSamePackedCountedRecordedAndInBatches) {
       EXPECT_EQ(any[i], hits[i].is_hit());
     }
     EXPECT_GT(std::count(any.begin(), any.end(), 1), 50);
+  }
+}
+
+TEST(Tracer, AnswersAlmostTheSameAtLevelFast) {
+  const auto mesh = small_mesh();
+  const auto rays = random_rays(mesh->bounds(), 2000, 2);
+  std::vector<Hit<float>> expected(rays.size());
+  make_tracer("brute-force", mesh)->closest_hits(rays, expected, Level::fast);
+  for (const AcceleratorInfo& info : accelerator_infos()) {
+    const auto tracer = make_tracer(info.name, mesh);
+    std::vector<Hit<float>> fast(rays.size()), sure(rays.size());
+    std::vector<std::uint8_t> any(rays.size());
+    tracer->closest_hits(rays, fast, Level::fast);
+    tracer->closest_hits(rays, sure);
+    tracer->any_hits(rays, any, Level::fast);
+    EXPECT_TRUE(fast == expected) << info.name;
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      EXPECT_EQ(any[i] != 0, fast[i].is_hit());
+      other += fast[i].prim_id != sure[i].prim_id;
+      if (fast[i].prim_id != sure[i].prim_id || !fast[i].is_hit()) continue;
+      EXPECT_NEAR(fast[i].t, sure[i].t, 1e-5f * sure[i].t);
+    }
+    EXPECT_LE(other, 2u);
   }
 }
 

@@ -63,4 +63,16 @@ concept Accelerator = std::movable<A> &&
   a.for_each_cell(detail::AnyCellVisitor{});
 };
 
+/// Calls see(range) for every leaf; a structure whose cells take long to make has a member for that.
+template <Accelerator A, class See>
+void for_each_leaf(const A& accel, See&& see) {
+  if constexpr (requires { accel.for_each_leaf(see); }) {
+    accel.for_each_leaf(see);
+  } else {
+    accel.for_each_cell([&](const Cell& cell) {
+      if (cell.is_leaf) see(cell.range);
+    });
+  }
+}
+
 }  // namespace sightline

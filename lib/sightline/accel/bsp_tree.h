@@ -77,6 +77,12 @@ class BspTree {
   /// Cells are cut by the planes moved outward by the thickness, so that they contain what their nodes hold.
   template <class See>
   void for_each_cell(See&& see) const;
+  template <class See>
+  void for_each_leaf(See&& see) const {
+    for (const Node& node : nodes_) {
+      if (node.kind() == leaf) see(node.range());
+    }
+  }
 
  private:
   static constexpr int stack_size = 64;

@@ -1,52 +1,151 @@
 #pragma once
-/// Where queries find the shapes that leaf positions stand for.
+/// Where queries find the shapes that leaf positions stand for, and how they test them.
 
+#include <tbb/parallel_for.h>
+
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "sightline/accel/accelerator.h"
+#include "sightline/query/level.h"
+#include "sightline/shape/mesh.h"
 #include "sightline/shape/shapes.h"
+#include "sightline/shape/triangle_sieve.h"
 
 namespace sightline {
 
-/// Copies of the shapes in leaf order, so that a leaf reads consecutive memory. Made once for structures whose leaf
-/// order is final; made outside the structure, so that every structure shares it.
-template <Shapes S>
-class PackedLeaves {
- public:
-  PackedLeaves(const S& shapes, std::span<const std::uint32_t> order) : shapes_(shapes) {
-    slots_.reserve(order.size());
-    for (const std::uint32_t id : order) slots_.push_back({shapes[id], id});
-  }
-
-  typename S::PreparedRay prepare(const Ray<double>& ray) const { return shapes_.prepare(ray); }
-  std::uint32_t id(std::uint32_t position) const { return slots_[position].id; }
-  const typename S::Shape& shape(std::uint32_t position) const { return slots_[position].shape; }
-  std::size_t memory_bytes() const { return slots_.size() * sizeof(Slot); }
-
- private:
-  struct Slot {
-    typename S::Shape shape;
-    std::uint32_t id;
-  };
-  const S& shapes_;
-  std::vector<Slot> slots_;
-};
-
-/// The shapes where they are, found through the structure's leaf order: for structures that still rearrange it, and
-/// where memory counts more than time.
+/// The shapes where they are, found through the structure's leaf order and tested one by one: for shapes of any kind,
+/// and for structures that still rearrange their order.
 template <Shapes S>
 class IndexedLeaves {
  public:
   IndexedLeaves(const S& shapes, std::span<const std::uint32_t> order) : shapes_(shapes), order_(order) {}
 
-  typename S::PreparedRay prepare(const Ray<double>& ray) const { return shapes_.prepare(ray); }
+  template <class T>
+  typename S::PreparedRay prepare(const Ray<T>& ray) const {
+    return shapes_.prepare(to_double(ray));
+  }
   std::uint32_t id(std::uint32_t position) const { return order_[position]; }
-  typename S::Shape shape(std::uint32_t position) const { return shapes_[order_[position]]; }
-  std::size_t memory_bytes() const { return 0; }
+
+  /// Calls see(position, crossing) for the crossings of the leaf's shapes with the line of the ray until it returns
+  /// false. Those beyond `far`, or before the ray's range, may be left out.
+  template <class T, class See>
+  void for_each_crossing(const typename S::PreparedRay& prepared, LeafRange leaf, T /*far*/, See&& see) const {
+    bool goes_on = true;
+    for (std::uint32_t i = 0; i < leaf.count && goes_on; ++i) {
+      const std::uint32_t position = leaf.first + i;
+      prepared.for_each_crossing(shapes_[order_[position]],
+                                 [&](const Crossing& crossing) { goes_on = goes_on && see(position, crossing); });
+    }
+  }
 
  private:
   const S& shapes_;
+  std::span<const std::uint32_t> order_;
+};
+
+/// Copies of the triangles in leaf order, as blocks of at most eight (structure of arrays), so that a leaf reads
+/// consecutive memory and is tested at once. Made outside the structure, so that every structure shares it.
+///   P1  The triangles at positions [first, first + count) of a block take the floats from first * rows on, whichever
+///       leaf it belongs to: a leaf's place follows from its range.
+class TriangleBlocks {
+ public:
+  /// `accel` is final: its leaf order does not change any more.
+  template <Accelerator A>
+  TriangleBlocks(const TriangleMesh& mesh, const A& accel) : floats_(accel.leaf_order().size() * rows + slack) {
+    std::vector<LeafRange> leaves;
+    for_each_leaf(accel, [&](LeafRange leaf) { leaves.push_back(leaf); });
+    const std::span<const std::uint32_t> order = accel.leaf_order();
+    tbb::parallel_for(std::size_t(0), leaves.size(), [&](std::size_t i) {
+      for_each_block(leaves[i], [&](LeafRange block) {
+        for (std::uint32_t lane = 0; lane < block.count; ++lane) {
+          TriangleBlock::store(mesh[order[block.first + lane]], floats_.data() + at(block), block.count, lane);
+        }
+        return true;
+      });
+    });
+  }
+
+  std::size_t memory_bytes() const { return floats_.size() * sizeof(float); }
+
+  /// Calls see(range, block) until it returns false.
+  template <class See>
+  void for_each(LeafRange leaf, See&& see) const {
+    for_each_block(leaf,
+                   [&](LeafRange block) { return see(block, TriangleBlock(floats_.data() + at(block), block.count)); });
+  }
+
+ private:
+  static constexpr std::size_t rows = TriangleBlock::rows;
+  static constexpr std::size_t slack = TriangleBlock::lanes;  ///< The last row may be read past its end.
+
+  static std::size_t at(LeafRange block) { return block.first * rows; }  // P1
+
+  template <class See>
+  static void for_each_block(LeafRange leaf, See&& see) {
+    while (leaf.count > 0) {
+      const LeafRange block{leaf.first, std::min(leaf.count, TriangleBlock::lanes)};
+      if (!see(block)) return;
+      leaf = {leaf.first + block.count, leaf.count - block.count};
+    }
+  }
+
+  std::vector<float> floats_;
+};
+
+/// Triangle blocks as queries of one precision level test them. Refers to its parts.
+template <Level level>
+class PackedLeaves {
+ public:
+  PackedLeaves(const TriangleMesh& mesh, const TriangleBlocks& blocks, std::span<const std::uint32_t> order)
+      : bounds_(mesh.bounds()), blocks_(blocks), order_(order) {}
+
+  struct PreparedRay {
+    TriangleSieve sieve;
+    TriangleRay exact;
+    double t_min;
+  };
+
+  template <class T>
+  PreparedRay prepare(const Ray<T>& ray) const {
+    const Ray<double> wide = to_double(ray);
+    return {{wide, bounds_}, {wide, bounds_}, wide.t_min};
+  }
+  std::uint32_t id(std::uint32_t position) const { return order_[position]; }
+
+  template <class T, class See>
+  void for_each_crossing(const PreparedRay& ray, LeafRange leaf, T far, See&& see) const {
+    blocks_.for_each(leaf, [&](LeafRange range, const TriangleBlock& block) {
+      const auto for_each_lane = [&](std::uint32_t lanes, auto&& crossing_of) {
+        for (; lanes != 0; lanes &= lanes - 1) {
+          const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+          Crossing crossing;
+          if (crossing_of(lane, crossing) && !see(range.first + lane, crossing)) return false;
+        }
+        return true;
+      };
+      const auto exactly = [&](std::uint32_t lane, Crossing& crossing) {
+        return ray.exact.intersect(block[lane], crossing);
+      };
+      if constexpr (level == Level::watertight) {
+        return for_each_lane(ray.sieve.may_cross(block), exactly);
+      } else {
+        TriangleSieve::Crossings found;
+        ray.sieve.cross(block, static_cast<float>(ray.t_min), far, found);
+        const auto as_found = [&](std::uint32_t lane, Crossing& crossing) {
+          crossing = {found.t[lane], found.u[lane], found.v[lane]};
+          return true;
+        };
+        return for_each_lane(found.hits, as_found) && for_each_lane(found.unsure, exactly);
+      }
+    });
+  }
+
+ private:
+  const Aabb bounds_;
+  const TriangleBlocks& blocks_;
   std::span<const std::uint32_t> order_;
 };
 

@@ -1,8 +1,9 @@
 #pragma once
 /// Closest hit, any hit and all hits, written once over every structure's `traverse`.
 ///
-/// T is the precision of the ray and of what is reported: tests run in double (exactly, where double cannot tell), and
-/// t is rounded to T before hits are compared. So float queries are watertight and double queries precise.
+/// T is the precision of the ray and of what is reported; t is rounded to it before hits are compared. How accurate the
+/// tests are is up to the leaves (leaves.h): exact decisions, with t computed in double, unless they are of level
+/// `fast`. So by default float queries are watertight and double queries precise.
 
 #include <algorithm>
 #include <limits>
@@ -15,17 +16,21 @@
 namespace sightline {
 namespace detail {
 
-/// Calls see(hit) for every crossing of the leaf's shapes within the ray's range.
-template <class T, class Leaves, class Prepared, class See>
-void for_each_hit(const Leaves& leaves, const Prepared& prepared, const Ray<T>& ray, LeafRange leaf, See&& see) {
-  for (std::uint32_t position = leaf.first; position < leaf.first + leaf.count; ++position) {
-    prepared.for_each_crossing(leaves.shape(position), [&](const Crossing& crossing) {
-      const T t = static_cast<T>(crossing.t) + T(0);  // one zero, not two
-      if (t > ray.t_min && t <= ray.t_max && t < std::numeric_limits<T>::infinity()) {
-        see(Hit<T>{t, leaves.id(position), static_cast<T>(crossing.u), static_cast<T>(crossing.v)});
-      }
-    });
-  }
+/// Whether a crossing at t, in the query's precision, is a hit.
+template <class T>
+bool is_in_range(const Ray<T>& ray, T t) {
+  return t > ray.t_min && t <= ray.t_max && t < std::numeric_limits<T>::infinity();
+}
+
+/// The crossing's parameter in the query's precision, with one zero, not two.
+template <class T>
+T parameter(const Crossing& crossing) {
+  return static_cast<T>(crossing.t) + T(0);
+}
+
+template <class T>
+Hit<T> hit_of(T t, std::uint32_t id, const Crossing& crossing) {
+  return {t, id, static_cast<T>(crossing.u), static_cast<T>(crossing.v)};
 }
 
 }  // namespace detail
@@ -34,14 +39,20 @@ void for_each_hit(const Leaves& leaves, const Prepared& prepared, const Ray<T>& 
 template <class T, class Leaves, class Accel, class Probe>
 Hit<T> closest_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe& probe) {
   if (!is_valid(ray)) return {};
-  const auto prepared = leaves.prepare(to_double(ray));
+  const auto prepared = leaves.prepare(ray);
   Hit<T> best;
   accel.traverse(
       ray,
       [&](LeafRange leaf) {
-        detail::for_each_hit(leaves, prepared, ray, leaf, [&](const Hit<T>& hit) {
-          if (is_closer(hit, best)) best = hit;
-        });
+        leaves.for_each_crossing(prepared, leaf, std::min(best.t, ray.t_max),
+                                 [&](std::uint32_t position, const Crossing& crossing) {
+                                   const T t = detail::parameter<T>(crossing);
+                                   if (t <= best.t && detail::is_in_range(ray, t)) {
+                                     const Hit<T> hit = detail::hit_of(t, leaves.id(position), crossing);
+                                     if (is_closer(hit, best)) best = hit;
+                                   }
+                                   return true;
+                                 });
         return std::min(best.t, ray.t_max);
       },
       probe);
@@ -52,14 +63,15 @@ Hit<T> closest_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, 
 template <class T, class Leaves, class Accel, class Probe>
 bool any_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe& probe) {
   if (!is_valid(ray)) return false;
-  const auto prepared = leaves.prepare(to_double(ray));
+  const auto prepared = leaves.prepare(ray);
   bool is_found = false;
   accel.traverse(
       ray,
       [&](LeafRange leaf) {
-        for (std::uint32_t position = leaf.first; position < leaf.first + leaf.count && !is_found; ++position) {
-          detail::for_each_hit(leaves, prepared, ray, {position, 1}, [&](const Hit<T>&) { is_found = true; });
-        }
+        leaves.for_each_crossing(prepared, leaf, ray.t_max, [&](std::uint32_t, const Crossing& crossing) {
+          is_found = detail::is_in_range(ray, detail::parameter<T>(crossing));
+          return !is_found;
+        });
         return is_found ? -std::numeric_limits<T>::infinity() : ray.t_max;
       },
       probe);
@@ -71,12 +83,16 @@ bool any_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe&
 template <class T, class Leaves, class Accel, class Probe>
 std::vector<Hit<T>> all_hits(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe& probe) {
   if (!is_valid(ray)) return {};
-  const auto prepared = leaves.prepare(to_double(ray));
+  const auto prepared = leaves.prepare(ray);
   std::vector<Hit<T>> hits;
   accel.traverse(
       ray,
       [&](LeafRange leaf) {
-        detail::for_each_hit(leaves, prepared, ray, leaf, [&](const Hit<T>& hit) { hits.push_back(hit); });
+        leaves.for_each_crossing(prepared, leaf, ray.t_max, [&](std::uint32_t position, const Crossing& crossing) {
+          const T t = detail::parameter<T>(crossing);
+          if (detail::is_in_range(ray, t)) hits.push_back(detail::hit_of(t, leaves.id(position), crossing));
+          return true;
+        });
         return ray.t_max;
       },
       probe);

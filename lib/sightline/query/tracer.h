@@ -13,24 +13,31 @@
 #include <vector>
 
 #include "sightline/accel/accelerator.h"
+#include "sightline/query/level.h"
 #include "sightline/shape/mesh.h"
 
 namespace sightline {
 
 /// Queries in one precision. All are const, thread-safe, and give the same result in whatever order they are asked.
+/// `level` tells float queries how accurate to be; double ones are never less than watertight, nor are those of a lazy
+/// structure.
 template <class T>
 class Queries {
  public:
   virtual ~Queries() = default;
 
   /// hits[i] becomes the nearest hit of rays[i]. Both spans have the same length.
-  virtual void closest_hits(std::span<const Ray<T>> rays, std::span<Hit<T>> hits) const = 0;
+  virtual void closest_hits(std::span<const Ray<T>> rays, std::span<Hit<T>> hits,
+                            Level level = Level::watertight) const = 0;
   /// The same, with the work counted.
-  virtual void closest_hits(std::span<const Ray<T>> rays, std::span<Hit<T>> hits, TraversalStats& stats) const = 0;
+  virtual void closest_hits(std::span<const Ray<T>> rays, std::span<Hit<T>> hits, TraversalStats& stats,
+                            Level level = Level::watertight) const = 0;
 
   /// is_hit[i] becomes 1 when rays[i] hits anything, else 0.
-  virtual void any_hits(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit) const = 0;
-  virtual void any_hits(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit, TraversalStats& stats) const = 0;
+  virtual void any_hits(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit,
+                        Level level = Level::watertight) const = 0;
+  virtual void any_hits(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit, TraversalStats& stats,
+                        Level level = Level::watertight) const = 0;
 
   /// Every hit of one ray, nearest first.
   virtual std::vector<Hit<T>> all_hits(const Ray<T>& ray) const = 0;

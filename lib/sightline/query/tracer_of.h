@@ -4,6 +4,8 @@
 #include <tbb/task_arena.h>
 
 #include <cassert>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "sightline/query/primitives_of.h"
@@ -16,44 +18,44 @@ namespace sightline::detail {
 template <class Derived, class T, class Base>
 class QueriesOf : public Base {
  public:
-  void closest_hits(std::span<const Ray<T>> rays, std::span<Hit<T>> hits) const override {
+  void closest_hits(std::span<const Ray<T>> rays, std::span<Hit<T>> hits, Level level) const override {
     NoProbe probe;
-    closest(rays, hits, probe);
+    closest(rays, hits, probe, level);
   }
-  void closest_hits(std::span<const Ray<T>> rays, std::span<Hit<T>> hits, TraversalStats& stats) const override {
-    closest(rays, hits, stats);
+  void closest_hits(std::span<const Ray<T>> rays, std::span<Hit<T>> hits, TraversalStats& stats,
+                    Level level) const override {
+    closest(rays, hits, stats, level);
   }
-  void any_hits(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit) const override {
+  void any_hits(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit, Level level) const override {
     NoProbe probe;
-    any(rays, is_hit, probe);
+    any(rays, is_hit, probe, level);
   }
-  void any_hits(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit, TraversalStats& stats) const override {
-    any(rays, is_hit, stats);
+  void any_hits(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit, TraversalStats& stats,
+                Level level) const override {
+    any(rays, is_hit, stats, level);
   }
   std::vector<Hit<T>> all_hits(const Ray<T>& ray) const override {
     NoProbe probe;
-    return self().with_leaves(
-        [&](const auto& accel, const auto& leaves) { return sightline::all_hits(accel, leaves, ray, probe); });
+    return sightline::all_hits(self().accel(), self().indexed_leaves(), ray, probe);
   }
   Hit<T> record(const Ray<T>& ray, WalkRecorder& walk) const override {
-    return self().with_leaves(
-        [&](const auto& accel, const auto& leaves) { return closest_hit(accel, leaves, ray, walk); });
+    return closest_hit(self().accel(), self().indexed_leaves(), ray, walk);
   }
 
  private:
   const Derived& self() const { return static_cast<const Derived&>(*this); }
 
   template <class Probe>
-  void closest(std::span<const Ray<T>> rays, std::span<Hit<T>> hits, Probe& probe) const {
+  void closest(std::span<const Ray<T>> rays, std::span<Hit<T>> hits, Probe& probe, Level level) const {
     assert(rays.size() == hits.size());
-    self().with_leaves([&](const auto& accel, const auto& leaves) {
+    self().template with_leaves<T>(level, [&](const auto& accel, const auto& leaves) {
       for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = closest_hit(accel, leaves, rays[i], probe);
     });
   }
   template <class Probe>
-  void any(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit, Probe& probe) const {
+  void any(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit, Probe& probe, Level level) const {
     assert(rays.size() == is_hit.size());
-    self().with_leaves([&](const auto& accel, const auto& leaves) {
+    self().template with_leaves<T>(level, [&](const auto& accel, const auto& leaves) {
       for (std::size_t i = 0; i < rays.size(); ++i) is_hit[i] = any_hit(accel, leaves, rays[i], probe);
     });
   }
@@ -63,31 +65,40 @@ template <Accelerator A>
 class TracerOf final : public QueriesOf<TracerOf<A>, double, QueriesOf<TracerOf<A>, float, Tracer>> {
  public:
   TracerOf(std::shared_ptr<const TriangleMesh> mesh, A accel, bool pack_leaves)
-      : mesh_(std::move(mesh)),
-        accel_(std::move(accel)),
-        is_packed_(pack_leaves && accel_.is_order_final()),
-        packed_(*mesh_, is_packed_ ? accel_.leaf_order() : std::span<const std::uint32_t>{}),
-        indexed_(*mesh_, accel_.leaf_order()) {}
+      : mesh_(std::move(mesh)), accel_(std::move(accel)) {
+    if (pack_leaves && accel_.is_order_final()) blocks_.emplace(*mesh_, accel_);
+  }
 
   std::string_view name() const override { return A::name; }
   const TriangleMesh& mesh() const override { return *mesh_; }
   std::size_t structure_bytes() const override { return accel_.memory_bytes(); }
-  std::size_t leaf_bytes() const override { return packed_.memory_bytes(); }
+  std::size_t leaf_bytes() const override { return blocks_ ? blocks_->memory_bytes() : 0; }
   std::span<const std::uint32_t> leaf_order() const override { return accel_.leaf_order(); }
   bool is_lazy() const override { return !accel_.is_order_final(); }
   void for_each_cell(const std::function<void(const Cell&)>& see) const override { accel_.for_each_cell(see); }
 
-  template <class Use>
-  auto with_leaves(Use&& use) const {
-    return is_packed_ ? use(accel_, packed_) : use(accel_, indexed_);
+  const A& accel() const { return accel_; }
+  IndexedLeaves<TriangleMesh> indexed_leaves() const { return {*mesh_, accel_.leaf_order()}; }
+
+  /// Calls use(structure, leaves) with the leaves that rays of T are tested with.
+  template <class T, class Use>
+  void with_leaves(Level level, Use&& use) const {
+    if (!blocks_) return use(accel_, indexed_leaves());
+    if constexpr (std::is_same_v<T, float>) {
+      if (level == Level::fast) return use(accel_, packed_leaves<Level::fast>());
+    }
+    use(accel_, packed_leaves<Level::watertight>());
   }
 
  private:
+  template <Level level>
+  PackedLeaves<level> packed_leaves() const {
+    return {*mesh_, *blocks_, accel_.leaf_order()};
+  }
+
   std::shared_ptr<const TriangleMesh> mesh_;
   A accel_;
-  bool is_packed_;
-  PackedLeaves<TriangleMesh> packed_;
-  IndexedLeaves<TriangleMesh> indexed_;
+  std::optional<TriangleBlocks> blocks_;  ///< Copies of the triangles, where the order is final and memory allows.
 };
 
 template <Accelerator A>
