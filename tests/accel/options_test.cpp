@@ -11,11 +11,13 @@ struct SampleOptions {
   int leaf_size = 4;
   float cost = 1.5f;
   bool lazy = false;
+  Quality quality = Quality::balanced;
 
-  static constexpr std::array<OptionField<SampleOptions>, 3> fields() {
+  static constexpr std::array<OptionField<SampleOptions>, 4> fields() {
     return {{{"leaf_size", &SampleOptions::leaf_size, 1, 64, "size"},
              {"cost", &SampleOptions::cost, 0, 100, "cost"},
-             {"lazy", &SampleOptions::lazy, 0, 1, "lazy"}}};
+             {"lazy", &SampleOptions::lazy, 0, 1, "lazy"},
+             {"quality", &SampleOptions::quality, 0, 2, "quality"}}};
   }
 };
 
@@ -34,7 +36,9 @@ TEST(Options, AreSetFromText) {
   set_option("sample", options, "leaf_size", "8");
   set_option("sample", options, "cost", "0.25");
   set_option("sample", options, "lazy", "true");
+  set_option("sample", options, "quality", "best");
   EXPECT_EQ(options.leaf_size, 8);
+  EXPECT_EQ(options.quality, Quality::best);
   EXPECT_EQ(options.cost, 0.25f);
   EXPECT_TRUE(options.lazy);
 }
@@ -48,7 +52,9 @@ TEST(Options, AreRefusedWithStructureFieldValueAndLimits) {
             "sample: leaf_size = 99999999999 is not allowed; expected a whole number from 1 to 64");
   EXPECT_EQ(message_of("cost", "nan"), "sample: cost = nan is not allowed; expected a number from 0 to 100");
   EXPECT_EQ(message_of("lazy", "yes"), "sample: lazy = yes is not allowed; expected true or false");
-  EXPECT_EQ(message_of("size", "1"), "sample: no option 'size'; expected one of leaf_size, cost, lazy");
+  EXPECT_EQ(message_of("size", "1"), "sample: no option 'size'; expected one of leaf_size, cost, lazy, quality");
+  EXPECT_EQ(message_of("quality", "good"), "sample: quality = good is not allowed; expected fast, balanced or best");
+  EXPECT_EQ(message_of("quality", "1"), "sample: quality = 1 is not allowed; expected fast, balanced or best");
 }
 
 TEST(Options, LeaveTheStructAloneWhenRefused) {

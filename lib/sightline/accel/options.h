@@ -2,6 +2,7 @@
 /// Build options that describe themselves: their names, limits and meaning serve validation, help and command lines
 /// alike.
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <stdexcept>
@@ -11,11 +12,19 @@
 
 namespace sightline {
 
-/// One field of an options struct. A bool has the limits 0 and 1.
+/// How much time building may take for the sake of queries: an option `quality` of every structure that has a choice.
+enum class Quality {
+  fast,      ///< As quickly as possible: few candidates for every division.
+  balanced,  ///< The default: what pays off within some million rays.
+  best,      ///< As good as this library can: every candidate, spatial splits where the structure knows them.
+};
+inline constexpr std::array<std::string_view, 3> quality_names{"fast", "balanced", "best"};
+
+/// One field of an options struct. A bool has the limits 0 and 1, a Quality 0 and 2.
 template <class O>
 struct OptionField {
   std::string_view name;
-  std::variant<int O::*, float O::*, bool O::*> member;
+  std::variant<int O::*, float O::*, bool O::*, Quality O::*> member;
   double lowest;
   double highest;
   std::string_view help;
@@ -38,6 +47,7 @@ inline std::string number_text(double value) {
 template <class O>
 std::string allowed_text(const OptionField<O>& field) {
   if (std::holds_alternative<bool O::*>(field.member)) return "true or false";
+  if (std::holds_alternative<Quality O::*>(field.member)) return "fast, balanced or best";
   const std::string kind = std::holds_alternative<int O::*>(field.member) ? "a whole number" : "a number";
   return kind + " from " + number_text(field.lowest) + " to " + number_text(field.highest);
 }
@@ -69,6 +79,10 @@ void set_option(std::string_view structure, O& options, std::string_view name, s
         if (text != "true" && text != "false")
           detail::refuse_option(structure, name, text, detail::allowed_text(field));
         options.*member = text == "true";
+      } else if constexpr (std::is_same_v<M, Quality>) {
+        const auto found = std::find(quality_names.begin(), quality_names.end(), text);
+        if (found == quality_names.end()) detail::refuse_option(structure, name, text, detail::allowed_text(field));
+        options.*member = static_cast<Quality>(found - quality_names.begin());
       } else {
         M value{};
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -26,8 +26,13 @@ AcceleratorInfo info_of() {
   for (const auto& field : A::Options::fields()) {
     const std::string value = std::visit(
         [&]<class M>(M A::Options::*member) -> std::string {
-          if constexpr (std::is_same_v<M, bool>) return defaults.*member ? "true" : "false";
-          return detail::number_text(defaults.*member);
+          if constexpr (std::is_same_v<M, bool>) {
+            return defaults.*member ? "true" : "false";
+          } else if constexpr (std::is_same_v<M, Quality>) {
+            return std::string(quality_names[static_cast<std::size_t>(defaults.*member)]);
+          } else {
+            return detail::number_text(defaults.*member);
+          }
         },
         field.member);
     info.options.push_back({field.name, value, detail::allowed_text(field), field.help});
