@@ -9,6 +9,7 @@
 #include "sightline/accel/kd_tree.h"
 #include "sightline/accel/type_list.h"
 #include "sightline/accel/uniform_grid.h"
+#include "sightline/accel/wide_tree.h"
 
 namespace sightline {
 
@@ -17,6 +18,7 @@ using Accelerators = TypeList<  //
     SphereTree,                 //
     BoxTree,                    //
     CylinderTree,               //
+    WideTree,                   //
     UniformGrid,                //
     BspTree,                    //
     KdTree,                     //
