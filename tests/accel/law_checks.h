@@ -82,7 +82,7 @@ template <Level level, class A>
 void expect_packed_hits(const TriangleMesh& mesh, const BruteForce& brute, const A& accel,
                         const std::vector<Ray<float>>& rays) {
   const TriangleBlocks all(mesh, brute), blocks(mesh, accel);
-  const PackedLeaves<level> brute_leaves(mesh, all, brute.leaf_order()), leaves(mesh, blocks, accel.leaf_order());
+  const PackedLeaves<level> brute_leaves(mesh, all), leaves(mesh, blocks);
   const IndexedLeaves one_by_one(mesh, brute.leaf_order());
   NoProbe probe;
   int failures = 0;

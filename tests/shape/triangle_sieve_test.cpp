@@ -24,7 +24,7 @@ struct Block {
   explicit Block(std::vector<Triangle> those)
       : triangles(std::move(those)), floats(triangles.size() * TriangleBlock::rows + lanes) {
     for (std::uint32_t lane = 0; lane < count(); ++lane) {
-      TriangleBlock::store(triangles[lane], floats.data(), count(), lane);
+      TriangleBlock::store(triangles[lane], lane, floats.data(), count(), lane);
     }
   }
   std::uint32_t count() const { return static_cast<std::uint32_t>(triangles.size()); }
@@ -130,7 +130,7 @@ TEST(TriangleSieve, CrossesWhereTheExactTestDoes) {
         if (!(found.hits >> lane & 1)) continue;
         ++hits;
         EXPECT_TRUE(found.u[lane] >= 0 && found.v[lane] >= 0 && found.u[lane] + found.v[lane] <= 1.000001f);
-        // E5: the point on the ray is the point with those weights.
+        // E4: the point on the ray is the point with those weights.
         const Triangle& triangle = block.triangles[lane];
         const double u = found.u[lane], v = found.v[lane];
         const Vec3d point = (1 - u - v) * Vec3d(triangle.a) + u * Vec3d(triangle.b) + v * Vec3d(triangle.c);

@@ -29,9 +29,9 @@ inline constexpr double longest_direction = 0x1p+500;
 /// above, or an empty parameter range.
 template <class T>
 bool is_valid(const Ray<T>& ray) {
+  if (!is_finite(ray.origin) || !is_finite(ray.direction)) return false;
   const double size = max_norm(ray.direction);
-  return is_finite(ray.origin) && size >= shortest_direction && size <= longest_direction && is_finite(ray.direction) &&
-         ray.t_min <= ray.t_max;
+  return size >= shortest_direction && size <= longest_direction && ray.t_min <= ray.t_max;
 }
 
 /// Exact for float rays.

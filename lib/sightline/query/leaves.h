@@ -5,10 +5,12 @@
 
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "sightline/accel/accelerator.h"
+#include "sightline/accel/large_pages.h"
 #include "sightline/query/level.h"
 #include "sightline/shape/mesh.h"
 #include "sightline/shape/shapes.h"
@@ -27,17 +29,16 @@ class IndexedLeaves {
   typename S::PreparedRay prepare(const Ray<T>& ray) const {
     return shapes_.prepare(to_double(ray));
   }
-  std::uint32_t id(std::uint32_t position) const { return order_[position]; }
 
-  /// Calls see(position, crossing) for the crossings of the leaf's shapes with the line of the ray until it returns
+  /// Calls see(id, crossing) for the crossings of the leaf's shapes with the line of the ray until it returns
   /// false. Those beyond `far`, or before the ray's range, may be left out.
   template <class T, class See>
   void for_each_crossing(const typename S::PreparedRay& prepared, LeafRange leaf, T /*far*/, See&& see) const {
     bool goes_on = true;
     for (std::uint32_t i = 0; i < leaf.count && goes_on; ++i) {
-      const std::uint32_t position = leaf.first + i;
-      prepared.for_each_crossing(shapes_[order_[position]],
-                                 [&](const Crossing& crossing) { goes_on = goes_on && see(position, crossing); });
+      const std::uint32_t id = order_[leaf.first + i];
+      prepared.for_each_crossing(shapes_[id],
+                                 [&](const Crossing& crossing) { goes_on = goes_on && see(id, crossing); });
     }
   }
 
@@ -61,7 +62,8 @@ class TriangleBlocks {
     tbb::parallel_for(std::size_t(0), leaves.size(), [&](std::size_t i) {
       for_each_block(leaves[i], [&](LeafRange block) {
         for (std::uint32_t lane = 0; lane < block.count; ++lane) {
-          TriangleBlock::store(mesh[order[block.first + lane]], floats_.data() + at(block), block.count, lane);
+          const std::uint32_t id = order[block.first + lane];
+          TriangleBlock::store(mesh[id], id, floats_.data() + at(block), block.count, lane);
         }
         return true;
       });
@@ -70,11 +72,10 @@ class TriangleBlocks {
 
   std::size_t memory_bytes() const { return floats_.size() * sizeof(float); }
 
-  /// Calls see(range, block) until it returns false.
+  /// Calls see(block) until it returns false.
   template <class See>
   void for_each(LeafRange leaf, See&& see) const {
-    for_each_block(leaf,
-                   [&](LeafRange block) { return see(block, TriangleBlock(floats_.data() + at(block), block.count)); });
+    for_each_block(leaf, [&](LeafRange block) { return see(TriangleBlock(floats_.data() + at(block), block.count)); });
   }
 
  private:
@@ -92,48 +93,62 @@ class TriangleBlocks {
     }
   }
 
-  std::vector<float> floats_;
+  LargeVector<float> floats_;
 };
 
 /// Triangle blocks as queries of one precision level test them. Refers to its parts.
 template <Level level>
 class PackedLeaves {
  public:
-  PackedLeaves(const TriangleMesh& mesh, const TriangleBlocks& blocks, std::span<const std::uint32_t> order)
-      : bounds_(mesh.bounds()), blocks_(blocks), order_(order) {}
+  PackedLeaves(const TriangleMesh& mesh, const TriangleBlocks& blocks) : bounds_(mesh.bounds()), blocks_(blocks) {}
 
-  struct PreparedRay {
-    TriangleSieve sieve;
-    TriangleRay exact;
-    double t_min;
+  /// Each test is made ready when the first triangles need it: many rays meet none.
+  template <class T>
+  class PreparedRay {
+   public:
+    PreparedRay(const Ray<T>& ray, const Aabb& bounds) : ray_(ray), bounds_(bounds) {}
+
+    const TriangleSieve& sieve() {
+      if (!sieve_) sieve_.emplace(ray_, bounds_);
+      return *sieve_;
+    }
+    const TriangleRay& exact() {
+      if (!exact_) exact_.emplace(to_double(ray_), bounds_);
+      return *exact_;
+    }
+    float t_min() const { return static_cast<float>(ray_.t_min); }
+
+   private:
+    const Ray<T>& ray_;
+    const Aabb& bounds_;
+    std::optional<TriangleSieve> sieve_;
+    std::optional<TriangleRay> exact_;
   };
 
   template <class T>
-  PreparedRay prepare(const Ray<T>& ray) const {
-    const Ray<double> wide = to_double(ray);
-    return {{wide, bounds_}, {wide, bounds_}, wide.t_min};
+  PreparedRay<T> prepare(const Ray<T>& ray) const {
+    return {ray, bounds_};
   }
-  std::uint32_t id(std::uint32_t position) const { return order_[position]; }
 
   template <class T, class See>
-  void for_each_crossing(const PreparedRay& ray, LeafRange leaf, T far, See&& see) const {
-    blocks_.for_each(leaf, [&](LeafRange range, const TriangleBlock& block) {
+  void for_each_crossing(PreparedRay<T>& ray, LeafRange leaf, T far, See&& see) const {
+    blocks_.for_each(leaf, [&](const TriangleBlock& block) {
       const auto for_each_lane = [&](std::uint32_t lanes, auto&& crossing_of) {
         for (; lanes != 0; lanes &= lanes - 1) {
           const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
           Crossing crossing;
-          if (crossing_of(lane, crossing) && !see(range.first + lane, crossing)) return false;
+          if (crossing_of(lane, crossing) && !see(block.id(lane), crossing)) return false;
         }
         return true;
       };
       const auto exactly = [&](std::uint32_t lane, Crossing& crossing) {
-        return ray.exact.intersect(block[lane], crossing);
+        return ray.exact().intersect(block[lane], crossing);
       };
       if constexpr (level == Level::watertight) {
-        return for_each_lane(ray.sieve.may_cross(block), exactly);
+        return for_each_lane(ray.sieve().may_cross(block), exactly);
       } else {
         TriangleSieve::Crossings found;
-        ray.sieve.cross(block, static_cast<float>(ray.t_min), far, found);
+        ray.sieve().cross(block, ray.t_min(), far, found);
         const auto as_found = [&](std::uint32_t lane, Crossing& crossing) {
           crossing = {found.t[lane], found.u[lane], found.v[lane]};
           return true;
@@ -144,9 +159,8 @@ class PackedLeaves {
   }
 
  private:
-  const Aabb bounds_;
+  Aabb bounds_;
   const TriangleBlocks& blocks_;
-  std::span<const std::uint32_t> order_;
 };
 
 }  // namespace sightline

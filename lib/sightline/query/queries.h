@@ -39,16 +39,16 @@ Hit<T> hit_of(T t, std::uint32_t id, const Crossing& crossing) {
 template <class T, class Leaves, class Accel, class Probe>
 Hit<T> closest_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe& probe) {
   if (!is_valid(ray)) return {};
-  const auto prepared = leaves.prepare(ray);
+  auto prepared = leaves.prepare(ray);
   Hit<T> best;
   accel.traverse(
       ray,
       [&](LeafRange leaf) {
         leaves.for_each_crossing(prepared, leaf, std::min(best.t, ray.t_max),
-                                 [&](std::uint32_t position, const Crossing& crossing) {
+                                 [&](std::uint32_t id, const Crossing& crossing) {
                                    const T t = detail::parameter<T>(crossing);
                                    if (t <= best.t && detail::is_in_range(ray, t)) {
-                                     const Hit<T> hit = detail::hit_of(t, leaves.id(position), crossing);
+                                     const Hit<T> hit = detail::hit_of(t, id, crossing);
                                      if (is_closer(hit, best)) best = hit;
                                    }
                                    return true;
@@ -63,7 +63,7 @@ Hit<T> closest_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, 
 template <class T, class Leaves, class Accel, class Probe>
 bool any_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe& probe) {
   if (!is_valid(ray)) return false;
-  const auto prepared = leaves.prepare(ray);
+  auto prepared = leaves.prepare(ray);
   bool is_found = false;
   accel.traverse(
       ray,
@@ -83,14 +83,14 @@ bool any_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe&
 template <class T, class Leaves, class Accel, class Probe>
 std::vector<Hit<T>> all_hits(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe& probe) {
   if (!is_valid(ray)) return {};
-  const auto prepared = leaves.prepare(ray);
+  auto prepared = leaves.prepare(ray);
   std::vector<Hit<T>> hits;
   accel.traverse(
       ray,
       [&](LeafRange leaf) {
-        leaves.for_each_crossing(prepared, leaf, ray.t_max, [&](std::uint32_t position, const Crossing& crossing) {
+        leaves.for_each_crossing(prepared, leaf, ray.t_max, [&](std::uint32_t id, const Crossing& crossing) {
           const T t = detail::parameter<T>(crossing);
-          if (detail::is_in_range(ray, t)) hits.push_back(detail::hit_of(t, leaves.id(position), crossing));
+          if (detail::is_in_range(ray, t)) hits.push_back(detail::hit_of(t, id, crossing));
           return true;
         });
         return ray.t_max;

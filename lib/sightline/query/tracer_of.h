@@ -93,7 +93,7 @@ class TracerOf final : public QueriesOf<TracerOf<A>, double, QueriesOf<TracerOf<
  private:
   template <Level level>
   PackedLeaves<level> packed_leaves() const {
-    return {*mesh_, *blocks_, accel_.leaf_order()};
+    return {*mesh_, *blocks_};
   }
 
   std::shared_ptr<const TriangleMesh> mesh_;

@@ -6,17 +6,19 @@
 /// decides about those. `cross` takes the signs as float gives them instead, and is what the precision level `fast`
 /// uses.
 ///
-/// With u = 2^-24, R the largest distance over the axes from the origin to the scene's bounds, and E a triangle's
-/// largest extent along an axis:
-///   E1  Where the line meets the triangle, each sheared coordinate is at most 2 E: the point it meets has sheared
-///       coordinates 0 and lies within E of every vertex, and slopes are at most 1.
-///   E2  A sheared coordinate is off by at most e = 6 u R + 2 o: two rounded differences, a rounded slope, a product, a
+/// With u = 2^-24 and R the largest distance over the axes from the origin to the scene's bounds:
+///   E1  A sheared coordinate is off by at most e = 6 u R + 2 o: two rounded differences, a rounded slope, a product, a
 ///       difference of at most 2 R; o is what rounding the origin to float has moved it.
-///   E3  An edge function of coordinates up to m = 2 E + e is off by at most m (4 e + 4 u m).
-///   E4  Where squares of coordinates might leave the range of float nothing is sifted out; e is at least 2^-60, which
+///   E2  An edge function of coordinates up to M, as computed, is off by at most m (4 e + 4 u m), where m = M + e.
+///   E3  Where squares of coordinates might leave the range of float nothing is sifted out; e is at least 2^-60, which
 ///       covers what underflows.
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "sightline/math/aabb.h"
@@ -33,7 +35,7 @@ class TriangleBlock {
  public:
   static constexpr std::uint32_t lanes = 8;
   static constexpr std::uint32_t rows = 10;
-  static constexpr std::uint32_t size_row = 9;
+  static constexpr std::uint32_t id_row = 9;
 
   TriangleBlock(const float* rows_begin, std::uint32_t count) : rows_(rows_begin), count_(count) {}
 
@@ -50,8 +52,11 @@ class TriangleBlock {
     return triangle;
   }
 
+  std::uint32_t id(std::uint32_t lane) const { return std::bit_cast<std::uint32_t>(row(id_row)[lane]); }
+
   /// Writes a triangle into the lane of the block of `count` that begins at `rows_begin`.
-  static void store(const Triangle& triangle, float* rows_begin, std::uint32_t count, std::uint32_t lane);
+  static void store(const Triangle& triangle, std::uint32_t id, float* rows_begin, std::uint32_t count,
+                    std::uint32_t lane);
 
  private:
   const float* rows_;
@@ -61,14 +66,15 @@ class TriangleBlock {
 class TriangleSieve {
  public:
   /// `bounds` contain every triangle that will be tested.
-  TriangleSieve(const Ray<double>& ray, const Aabb& bounds);
+  template <class T>
+  TriangleSieve(const Ray<T>& ray, const Aabb& bounds);
 
   /// One bit a lane: set where the line of the ray may cross the triangle, and always set where it does.
   std::uint32_t may_cross(const TriangleBlock& block) const {
     return gather_bits(block, [&](std::uint32_t lane) {
       const Edges e = edges(block, lane);
-      const V reach = hn::Add(hn::LoadU(d, block.row(TriangleBlock::size_row) + lane), hn::Set(d, error_));  // m of E3
-      const V bound = hn::Mul(reach, hn::MulAdd(hn::Set(d, 4.1f * unit_roundoff), reach, hn::Set(d, 4.1f * error_)));
+      const V m = hn::Add(e.largest(), hn::Set(d, error_));
+      const V bound = hn::Mul(m, hn::MulAdd(hn::Set(d, 4.1f * unit_roundoff), m, hn::Set(d, 4.1f * error_)));  // E2
       const V lowest = hn::Min(e.u, hn::Min(e.v, e.w)), highest = hn::Max(e.u, hn::Max(e.v, e.w));
       return hn::Not(hn::And(hn::Lt(lowest, hn::Neg(bound)), hn::Gt(highest, bound)));
     });
@@ -82,7 +88,7 @@ class TriangleSieve {
   };
 
   /// Crossings with t_min < t <= far, with signs and parameters as float computes them.
-  ///   E5  A hit at t lies within 26 u R, on every axis, of the point of the triangle with the weights u and v, which
+  ///   E4  A hit at t lies within 26 u R, on every axis, of the point of the triangle with the weights u and v, which
   ///       margin M1 (padded_ray.h) allows: coordinates are off by e (6 u R), the weighted mean of the vertices strays
   ///       from the line by 12 u M^3 / |sum|, where M is the largest sheared coordinate and sum that of the edge
   ///       functions, t d from the mean by 8 u R. Where M^3 > R |sum|, as in triangles seen edge-on, or where numbers
@@ -100,6 +106,11 @@ class TriangleSieve {
     V u, v, w;                 ///< Edge functions opposite to a, b and c.
     V az, bz, cz;              ///< Along the direction's largest component, from the origin.
     V ax, ay, bx, by, cx, cy;  ///< Sheared.
+
+    V largest() const {
+      const auto larger = [](V p, V q) { return hn::Max(hn::Abs(p), hn::Abs(q)); };
+      return hn::Max(larger(ax, ay), hn::Max(larger(bx, by), larger(cx, cy)));
+    }
   };
 
   Edges edges(const TriangleBlock& block, std::uint32_t lane) const {
@@ -143,5 +154,33 @@ class TriangleSieve {
   float reach_;       ///< R.
   bool is_ordinary_;  ///< Nothing that `cross` computes overflows or underflows.
 };
+
+template <class T>
+TriangleSieve::TriangleSieve(const Ray<T>& ray, const Aabb& bounds) {
+  constexpr float largest = 0x1p+60f, smallest = 0x1p-20f;
+  const Vec3<T> size = glm::abs(ray.direction);
+  axes_[2] = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  axes_[0] = axes_[2] == 2 ? 0 : axes_[2] + 1;
+  axes_[1] = axes_[0] == 2 ? 0 : axes_[0] + 1;
+  const T along = ray.direction[axes_[2]];
+  shear_x_ = static_cast<float>(ray.direction[axes_[0]] / along);
+  shear_y_ = static_cast<float>(ray.direction[axes_[1]] / along);
+  scale_z_ = static_cast<float>(1 / along);
+
+  const Vec3<T> to_lo = glm::abs(Vec3<T>(bounds.lo) - ray.origin), to_hi = glm::abs(Vec3<T>(bounds.hi) - ray.origin);
+  const T reach = max_norm(glm::max(to_lo, to_hi));
+  const bool is_in_range = reach <= largest;
+  T moved = 0;
+  for (int i = 0; i < 3; ++i) {
+    const T exact = is_in_range ? ray.origin[axes_[i]] : 0;
+    origin_[i] = static_cast<float>(exact);
+    if constexpr (!std::is_same_v<T, float>) moved = std::max(moved, std::fabs(exact - origin_[i]));
+  }
+  reach_ = static_cast<float>(std::min<T>(reach, largest)) * 0x1.00001p+0f;  // above what was rounded
+  error_ = is_in_range ? std::max(6.1f * unit_roundoff * reach_ + 2.1f * static_cast<float>(moved), 0x1p-60f)
+                       : std::numeric_limits<float>::infinity();  // E3
+  const T speed = std::fabs(along);
+  is_ordinary_ = moved == 0 && reach >= smallest && is_in_range && speed <= largest && speed >= 1 / largest;
+}
 
 }  // namespace sightline
