@@ -13,7 +13,7 @@ largest_file=1048576    # bytes
 arrows='
 math    | glm hwy
 shape   math | glm
-accel   math | glm hwy sys tbb
+accel   math | glm sys tbb
 query   accel shape math | glm tbb
 csg     shape math | glm
 noise   math | glm

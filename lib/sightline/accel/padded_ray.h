@@ -55,17 +55,22 @@ struct PaddedRay {
       t_max = -std::numeric_limits<T>::infinity();
     }
     // A parameter that underflows is off by up to one denormal step, which a large direction magnifies.
-    pad = margin<T> * reach_of(origin, bounds) + 2 * std::numeric_limits<T>::denorm_min() * max_norm(direction);
+    // In double, since denormals of float take processors long.
+    constexpr double step = 2 * double(std::numeric_limits<T>::denorm_min());
+    pad = static_cast<T>(double(margin<T> * reach_of(origin, bounds)) + step * double(max_norm(direction)));
+    constexpr T rounding = 2 * std::numeric_limits<T>::epsilon();
     for (int axis = 0; axis < 3; ++axis) {
       inverse[axis] = T(1) / direction[axis];
       is_negative[axis] = std::signbit(direction[axis]);
       // A direction too small to invert moves the ray all the same, by an amount that cannot be told: no plane bounds
       // it.
-      const bool is_unbounded = direction[axis] != 0 && std::isinf(inverse[axis]);
+      const bool is_unbounded = (direction[axis] != 0) & (std::fabs(inverse[axis]) > std::numeric_limits<T>::max());
       const T wide = is_unbounded ? std::numeric_limits<T>::infinity() : pad;
-      const T forward = next_up(origin[axis] + wide), backward = next_down(origin[axis] - wide);
-      enter_origin[axis] = is_negative[axis] ? backward : forward;
-      leave_origin[axis] = is_negative[axis] ? forward : backward;
+      // More than the rounding of this product, of both sums and of the moved origin; where the product underflows,
+      // sums are exact.
+      const T away = std::copysign(wide + rounding * (std::fabs(origin[axis]) + wide), direction[axis]);
+      enter_origin[axis] = origin[axis] + away;
+      leave_origin[axis] = origin[axis] - away;
     }
   }
 

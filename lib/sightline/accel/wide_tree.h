@@ -1,7 +1,5 @@
 #pragma once
 
-#include <hwy/highway.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -14,6 +12,7 @@
 #include "sightline/accel/large_pages.h"
 #include "sightline/accel/padded_ray.h"
 #include "sightline/accel/tree_collapse.h"
+#include "sightline/math/simd.h"
 
 namespace sightline {
 
@@ -195,14 +194,13 @@ class WideTree::Opener {
   }
 
  private:
-  using Floats = hwy::HWY_NAMESPACE::CappedTag<float, width>;
+  using Floats = hn::CappedTag<float, width>;
   static constexpr bool is_one_register =
-      std::is_same_v<T, float> && hwy::HWY_NAMESPACE::MaxLanes(Floats()) == std::size_t{width};
+      std::is_same_v<T, float> && hn::MaxLanes(Floats()) == std::size_t{width};
 
   /// max(a, b) that is b where a is NaN; where b is, it may be NaN.
   template <class V>
   static V larger(V a, V b) {
-    namespace hn = hwy::HWY_NAMESPACE;
     if constexpr (HWY_ARCH_X86) {
       return hn::Max(a, b);
     } else {
@@ -211,7 +209,6 @@ class WideTree::Opener {
   }
   template <class V>
   static V smaller(V a, V b) {
-    namespace hn = hwy::HWY_NAMESPACE;
     if constexpr (HWY_ARCH_X86) {
       return hn::Min(a, b);
     } else {
@@ -220,7 +217,6 @@ class WideTree::Opener {
   }
 
   [[gnu::always_inline]] void open_at_once(const Node& node, float far, Stack<T>& stack) const {
-    namespace hn = hwy::HWY_NAMESPACE;
     const Floats f;
     const hn::RebindToUnsigned<Floats> u;
     const auto enter = [&](int axis) {

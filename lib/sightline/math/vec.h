@@ -19,10 +19,13 @@ bool is_finite(const Vec3<T>& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Largest absolute component (the maximum norm).
+/// Largest absolute component (the maximum norm); of components that are no numbers any other, or NaN. No std::fmax:
+/// compilers call a function for what it does about NaN.
 template <class T>
 T max_norm(const Vec3<T>& v) {
-  return std::fmax(std::fmax(std::fabs(v.x), std::fabs(v.y)), std::fabs(v.z));
+  const T x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
+  const T xy = x > y ? x : y;
+  return xy > z ? xy : z;
 }
 
 }  // namespace sightline
