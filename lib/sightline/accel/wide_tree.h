@@ -43,10 +43,13 @@ struct WideTreeOptions {
 class WideTree {
   static constexpr int width = 8;
 
-  /// How a node and the stack name a child; 0, which would be the root, where there is none.
+  /// How a node names a child. Where there is none, its box is empty, so that no ray meets it, unless the direction is
+  /// too small to invert on all axes.
   class Link {
    public:
     static constexpr std::uint32_t limit = std::uint32_t{1} << 28;  ///< Of nodes and of positions.
+
+    static constexpr std::uint32_t none = 15;
 
     static std::uint32_t to_node(std::uint32_t index) { return index << 4; }
     static std::uint32_t to_leaf(LeafRange range) { return range.first << 4 | range.count; }
@@ -56,15 +59,22 @@ class WideTree {
   };
 
   struct alignas(64) Node {
-    std::array<std::array<float, width>, 6> planes;  ///< Of all children: low x, y, z, high x, y, z. Empty: inverted.
+    std::array<float, 6 * width> planes;  ///< Of all children: low x, y, z, high x, y, z.
     std::array<std::uint32_t, width> links;
     /// For each octant of directions (a bit is set where a component is negative) the children, those farther along
     /// first: three bits each.
     std::array<std::uint32_t, 8> orders;
 
+    float plane(int index, int child) const { return planes[static_cast<std::size_t>(index * width + child)]; }
     Aabb box(int child) const {
-      return {{planes[0][child], planes[1][child], planes[2][child]},
-              {planes[3][child], planes[4][child], planes[5][child]}};
+      return {{plane(0, child), plane(1, child), plane(2, child)}, {plane(3, child), plane(4, child), plane(5, child)}};
+    }
+    void set(int child, const Aabb& box, std::uint32_t link) {
+      links[child] = link;
+      for (int axis = 0; axis < 3; ++axis) {
+        planes[static_cast<std::size_t>(axis * width + child)] = box.lo[axis];
+        planes[static_cast<std::size_t>((axis + 3) * width + child)] = box.hi[axis];
+      }
     }
   };
   static_assert(sizeof(Node) == 256);
@@ -105,7 +115,7 @@ class WideTree {
  private:
   class Builder;
   template <class T>
-  class Stack;
+  struct Waiting;
   template <class T>
   class Opener;
 
@@ -119,7 +129,7 @@ class WideTree {
     see(Cell{box, depth, is_leaf, is_leaf ? Link::leaf(link) : LeafRange{}, number_of(link)});
     if (is_leaf) return;
     const Node& node = nodes_[Link::node(link)];
-    for (int child = 0; child < width && node.links[child] != 0; ++child) {
+    for (int child = 0; child < width && node.links[child] != Link::none; ++child) {
       see_cells(node.box(child), node.links[child], depth + 1, see);
     }
   }
@@ -132,71 +142,67 @@ class WideTree {
 // ---- Traversal
 
 /// What waits, nearest last as far as the order of octants tells. Times and links are apart because they are written
-/// and sifted whole registers at a time.
+/// whole registers at a time. The owner counts, so that compilers keep the count in a register.
 template <class T>
-class WideTree::Stack {
- public:
-  void push(T enter, std::uint32_t link) {
-    enters_[size_] = enter;
-    links_[size_++] = link;
-  }
-
-  /// The next one that the ray enters at `far` or before; false when there is none.
-  template <class Cull>
-  bool pop(T far, T& enter, std::uint32_t& link, Cull&& cull) {
-    while (size_ > 0) {
-      --size_;
-      enter = enters_[size_];
-      link = links_[size_];
-      if (enter <= far) return true;
-      cull(link, enter);
-    }
-    return false;
-  }
-
-  T* enters_end() { return enters_.data() + size_; }
-  std::uint32_t* links_end() { return links_.data() + size_; }
-  void grow(std::size_t count) { size_ += count; }
-
- private:
+struct WideTree::Waiting {
   static constexpr std::size_t capacity = BinaryTree::max_depth * (width - 1) + 2 * width;  // W3, and a register more
 
-  std::array<T, capacity> enters_;
-  std::array<std::uint32_t, capacity> links_;
-  std::size_t size_ = 0;
+  std::array<T, capacity> enters;
+  std::array<std::uint32_t, capacity> links;
 };
 
 /// Tests the children of a node: PaddedRay::clip of eight boxes.
 template <class T>
 class WideTree::Opener {
  public:
-  explicit Opener(const PaddedRay<T>& ray) : ray_(ray) {
-    for (int axis = 0; axis < 3; ++axis) {
-      near_[axis] = ray.is_negative[axis] ? axis + 3 : axis;
-      far_[axis] = ray.is_negative[axis] ? axis : axis + 3;
+  explicit Opener(const PaddedRay<T>& ray)
+      : enter_(ray.enter_origin), leave_(ray.leave_origin), inverse_(ray.inverse), t_min_(ray.t_min) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      near_[axis] = (ray.is_negative[axis] ? axis + 3 : axis) * width;
+      far_[axis] = (ray.is_negative[axis] ? axis : axis + 3) * width;
       octant_ |= std::size_t{ray.is_negative[axis]} << axis;
     }
   }
 
-  /// Pushes the children that the ray meets before `far`, farther ones first.
-  [[gnu::always_inline]] void open(const Node& node, T far, Stack<T>& stack) const {
+  /// Puts the children that the ray meets before `far` into `waiting`, after the first `count`, farther ones first, but
+  /// for the nearest: that is `link`, entered at `enter`. False when there is none.
+  [[gnu::always_inline]] bool open(const Node& node, T far, Waiting<T>& waiting, std::size_t& count,
+                                   std::uint32_t& link, T& enter) const {
     if constexpr (is_one_register) {
-      open_at_once(node, far, stack);
+      return open_at_once(node, far, waiting, count, link, enter);
     } else {
       std::uint32_t order = node.orders[octant_];
+      bool is_any = false;
       for (int i = 0; i < width; ++i, order >>= 3) {
-        const int child = static_cast<int>(order & 7);
-        if (node.links[child] == 0) continue;
-        const Interval<T> range = ray_.clip(node.box(child), far);
-        if (!range.is_empty()) stack.push(range.lo, node.links[child]);
+        const std::size_t child = order & 7;
+        const Interval<T> range = clip(node, child, far);
+        if (range.is_empty()) continue;
+        if (is_any) {
+          waiting.enters[count] = enter;
+          waiting.links[count++] = link;
+        }
+        is_any = true;
+        link = node.links[child];
+        enter = range.lo;
       }
+      return is_any;
     }
   }
 
  private:
   using Floats = hn::CappedTag<float, width>;
-  static constexpr bool is_one_register =
-      std::is_same_v<T, float> && hn::MaxLanes(Floats()) == std::size_t{width};
+  static constexpr bool is_one_register = std::is_same_v<T, float> && hn::MaxLanes(Floats()) == std::size_t{width};
+
+  Interval<T> clip(const Node& node, std::size_t child, T far) const {
+    Interval<T> range{t_min_, far};
+    for (int axis = 0; axis < 3; ++axis) {
+      const T near_plane = (node.planes[near_[axis] + child] - enter_[axis]) * inverse_[axis];
+      const T far_plane = (node.planes[far_[axis] + child] - leave_[axis]) * inverse_[axis];
+      range.lo = near_plane > range.lo ? near_plane : range.lo;  // a NaN bounds nothing
+      range.hi = far_plane < range.hi ? far_plane : range.hi;
+    }
+    return range;
+  }
 
   /// max(a, b) that is b where a is NaN; where b is, it may be NaN.
   template <class V>
@@ -216,34 +222,41 @@ class WideTree::Opener {
     }
   }
 
-  [[gnu::always_inline]] void open_at_once(const Node& node, float far, Stack<T>& stack) const {
+  [[gnu::always_inline]] bool open_at_once(const Node& node, float far, Waiting<T>& waiting, std::size_t& count,
+                                           std::uint32_t& link, float& enter) const {
     const Floats f;
     const hn::RebindToUnsigned<Floats> u;
-    const auto enter = [&](int axis) {
-      const auto plane = hn::Load(f, node.planes[near_[axis]].data());
-      return hn::Mul(hn::Sub(plane, hn::Set(f, ray_.enter_origin[axis])), hn::Set(f, ray_.inverse[axis]));
+    const auto met = [&](std::size_t plane, T origin, T inverse) {
+      return hn::Mul(hn::Sub(hn::Load(f, node.planes.data() + plane), hn::Set(f, origin)), hn::Set(f, inverse));
     };
-    const auto leave = [&](int axis) {
-      const auto plane = hn::Load(f, node.planes[far_[axis]].data());
-      return hn::Mul(hn::Sub(plane, hn::Set(f, ray_.leave_origin[axis])), hn::Set(f, ray_.inverse[axis]));
-    };
+    const auto entered = [&](int axis) { return met(near_[axis], enter_[axis], inverse_[axis]); };
+    const auto left = [&](int axis) { return met(far_[axis], leave_[axis], inverse_[axis]); };
     // A NaN bounds nothing: the second pair's partner is none, so neither is the result.
-    const auto lo = larger(larger(enter(0), enter(1)), larger(enter(2), hn::Set(f, ray_.t_min)));
-    const auto hi = smaller(smaller(leave(0), leave(1)), smaller(leave(2), hn::Set(f, far)));
-    const auto links = hn::Load(u, node.links.data());
+    const auto lo = larger(larger(entered(0), entered(1)), larger(entered(2), hn::Set(f, t_min_)));
+    const auto hi = smaller(smaller(left(0), left(1)), smaller(left(2), hn::Set(f, far)));
+
+    const std::uint32_t order = node.orders[octant_];
     const auto shifts = hn::Mul(hn::Iota(u, 0), hn::Set(u, 3));
-    const auto order = hn::IndicesFromVec(f, hn::And(hn::Shr(hn::Set(u, node.orders[octant_]), shifts), hn::Set(u, 7)));
-    const auto lo_sorted = hn::TableLookupLanes(lo, order), hi_sorted = hn::TableLookupLanes(hi, order);
-    const auto links_sorted = hn::TableLookupLanes(
-        links, hn::IndicesFromVec(u, hn::And(hn::Shr(hn::Set(u, node.orders[octant_]), shifts), hn::Set(u, 7))));
-    const auto meets = hn::And(hn::Le(lo_sorted, hi_sorted), hn::RebindMask(f, hn::Ne(links_sorted, hn::Zero(u))));
-    hn::StoreU(hn::Compress(lo_sorted, meets), f, stack.enters_end());
-    hn::StoreU(hn::Compress(links_sorted, hn::RebindMask(u, meets)), u, stack.links_end());
-    stack.grow(hn::CountTrue(f, meets));
+    const auto sorted = hn::And(hn::Shr(hn::Set(u, order), shifts), hn::Set(u, 7));
+    const auto sorted_lo = hn::TableLookupLanes(lo, hn::IndicesFromVec(f, sorted));
+    const auto sorted_hi = hn::TableLookupLanes(hi, hn::IndicesFromVec(f, sorted));
+    const auto is_met = hn::Le(sorted_lo, sorted_hi);
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(f, is_met, bytes);
+    const std::uint32_t bits = bytes[0];
+    if (bits == 0) return false;
+    const auto links = hn::TableLookupLanes(hn::Load(u, node.links.data()), hn::IndicesFromVec(u, sorted));
+    hn::StoreU(hn::Compress(sorted_lo, is_met), f, waiting.enters.data() + count);
+    hn::StoreU(hn::Compress(links, hn::RebindMask(u, is_met)), u, waiting.links.data() + count);
+    count += static_cast<std::size_t>(std::popcount(bits)) - 1;
+    link = node.links[order >> (3 * (31 - std::countl_zero(bits))) & 7];
+    enter = waiting.enters[count];
+    return true;
   }
 
-  const PaddedRay<T>& ray_;
-  std::array<int, 3> near_, far_;
+  Vec3<T> enter_, leave_, inverse_;
+  T t_min_;
+  std::array<std::size_t, 3> near_, far_;
   std::size_t octant_ = 0;
 };
 
@@ -252,21 +265,31 @@ void WideTree::traverse(const Ray<T>& ray, Visit&& visit, Probe& probe) const {
   const PaddedRay<T> padded(ray, bounds_);
   if (!(padded.t_min <= padded.t_max)) return;
   const Opener<T> opener(padded);
-  const auto cull = [&](std::uint32_t link, T enter) { probe.cull(number_of(link), static_cast<double>(enter)); };
-  T far = padded.t_max, enter = padded.t_min;
+  const T t_min = padded.t_min;
+  const Node* const nodes = nodes_.data();
+  T far = padded.t_max, enter = t_min;
   std::uint32_t link = 0;
-  Stack<T> stack;
-  do {
-    if (Link::is_leaf(link)) {
+  Waiting<T> waiting;
+  std::size_t count = 0;
+  while (true) {
+    if (!Link::is_leaf(link)) {
+      probe.node(number_of(link), static_cast<double>(enter));
+      if (opener.open(nodes[Link::node(link)], far, waiting, count, link, enter)) continue;
+    } else if (link != Link::none) {
       const LeafRange range = Link::leaf(link);
       probe.leaf(number_of(link), range, static_cast<double>(enter));
       far = visit(range);
-      if (far < padded.t_min) return;
-    } else {
-      probe.node(number_of(link), static_cast<double>(enter));
-      opener.open(nodes_[Link::node(link)], far, stack);
+      if (far < t_min) return;
     }
-  } while (stack.pop(far, enter, link, cull));
+    while (true) {
+      if (count == 0) return;
+      --count;
+      link = waiting.links[count];
+      enter = waiting.enters[count];
+      if (enter <= far) break;
+      probe.cull(number_of(link), static_cast<double>(enter));
+    }
+  }
 }
 
 // ---- Construction
@@ -289,21 +312,19 @@ class WideTree::Builder {
     const std::uint32_t first_child = static_cast<std::uint32_t>(nodes_.size());
     std::uint32_t inner_count = 0;
     Node node;
-    for (auto& planes : node.planes) planes.fill(0);
-    node.links.fill(0);
+    for (int child = 0; child < width; ++child) node.set(child, Aabb(), Link::none);
     std::array<std::uint32_t, width> positions;
     for (int child = 0; child < children.count; ++child) {
       const BinaryTree::Node& from = binary_[children.nodes[child]];
-      for (int axis = 0; axis < 3; ++axis) {
-        node.planes[axis][child] = from.box.lo[axis];
-        node.planes[axis + 3][child] = from.box.hi[axis];
-      }
       positions[child] = first;
       const bool is_leaf = collapse_.is_leaf(children.nodes[child]);
-      node.links[child] = is_leaf ? Link::to_leaf({first, from.count}) : Link::to_node(first_child + inner_count++);
+      node.set(child, from.box,
+               is_leaf ? Link::to_leaf({first, from.count}) : Link::to_node(first_child + inner_count++));
       first += from.count;
     }
-    for (std::uint32_t octant = 0; octant < 8; ++octant) node.orders[octant] = order_along(node, octant);
+    for (std::uint32_t octant = 0; octant < 8; ++octant) {
+      node.orders[octant] = order_along(node, children.count, octant);
+    }
     nodes_[index] = node;
     nodes_.resize(nodes_.size() + inner_count);
     for (int child = 0; child < children.count; ++child) {
@@ -312,19 +333,20 @@ class WideTree::Builder {
     }
   }
 
-  static std::uint32_t order_along(const Node& node, std::uint32_t octant) {
+  /// By the middles of the boxes along the octant's diagonal; children that are none come first.
+  static std::uint32_t order_along(const Node& node, int count, std::uint32_t octant) {
     std::array<std::pair<double, std::uint32_t>, width> reach;
-    for (std::uint32_t child = 0; child < width; ++child) {
+    for (int child = 0; child < width; ++child) {
       double sum = 0;
-      for (std::uint32_t axis = 0; axis < 3; ++axis) {
-        const double center = double(node.planes[axis][child]) + double(node.planes[axis + 3][child]);
-        sum += octant >> axis & 1 ? center : -center;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double middle = double(node.plane(axis, child)) + double(node.plane(axis + 3, child));
+        sum += octant >> axis & 1 ? middle : -middle;
       }
-      reach[child] = {sum, child};
+      reach[child] = {child < count ? sum : -std::numeric_limits<double>::infinity(), child};
     }
     std::sort(reach.begin(), reach.end());
     std::uint32_t order = 0;
-    for (std::uint32_t i = 0; i < width; ++i) order |= reach[i].second << (3 * i);
+    for (int i = 0; i < width; ++i) order |= reach[i].second << (3 * i);
     return order;
   }
 
