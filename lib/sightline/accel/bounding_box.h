@@ -38,8 +38,13 @@ struct BoundingBox {
       }
     }
 
+    PairTimes<T> operator()(const BoundingBox& first, const BoundingBox& second, T far) const {
+      return {times_of(first, far), times_of(second, far)};
+    }
+
+   private:
     /// Inlined by force: compilers find it too large to copy, but the call costs as much as the test.
-    [[gnu::always_inline]] Interval<T> operator()(const BoundingBox& box, T far) const {
+    [[gnu::always_inline]] Interval<T> times_of(const BoundingBox& box, T far) const {
       Interval<T> range{t_min_, far};
       for (int axis = 0; axis < 3; ++axis) {
         const T near_plane = (box.planes[near_[axis]] - enter_[axis]) * inverse_[axis];
@@ -50,7 +55,6 @@ struct BoundingBox {
       return range;
     }
 
-   private:
     Vec3<T> inverse_, enter_, leave_;
     std::array<std::size_t, 3> near_, far_;
     T t_min_;

@@ -60,7 +60,12 @@ class BoundingCylinder::Test {
 
   explicit Test(const PaddedRay<T>& ray) : ray_(ray) {}
 
-  Interval<double> operator()(const BoundingCylinder& volume, double far) const {
+  PairTimes<double> operator()(const BoundingCylinder& first, const BoundingCylinder& second, double far) const {
+    return {times_of(first, far), times_of(second, far)};
+  }
+
+ private:
+  Interval<double> times_of(const BoundingCylinder& volume, double far) const {
     const Vec3d axis(volume.cylinder.axis);
     const Vec3d to_center = Vec3d(volume.cylinder.center) - ray_.origin;
     const double center_along = glm::dot(to_center, axis), direction_along = glm::dot(ray_.direction, axis);
@@ -92,7 +97,6 @@ class BoundingCylinder::Test {
     return ray_.times(enter, leave, far);
   }
 
- private:
   static constexpr double parallel = 0x1p-40;
   DistanceRay<T> ray_;
 };

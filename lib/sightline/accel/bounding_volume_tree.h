@@ -25,7 +25,7 @@ template <BoundingVolume Volume>
 struct BoundingVolumeOptions {
   int max_leaf_size = 8;                     ///< More primitives than this are always divided.
   float traversal_cost = Volume::test_cost;  ///< Opening a node: testing the volumes of both children.
-  float intersection_cost = 0.5f;            ///< One primitive test.
+  float intersection_cost = 0.15f;           ///< One primitive test: those of a leaf are made together.
   int bins = 32;                             ///< On each axis, when many primitives are divided.
 
   static constexpr std::array<OptionField<BoundingVolumeOptions>, 4> fields() {
@@ -115,7 +115,7 @@ void BoundingVolumeHierarchy<Volume>::traverse(const Ray<T>& ray, Visit&& visit,
   T far = padded.t_max;
   FixedStack<Waiting, max_depth> stack;  // V3
 
-  const Interval<Time> whole = test(nodes_[0].volume, far);
+  const Interval<Time> whole = test(nodes_[0].volume, nodes_[0].volume, far).first;
   if (whole.is_empty()) return;
   Waiting at{0, whole.lo};
   while (true) {
@@ -127,7 +127,7 @@ void BoundingVolumeHierarchy<Volume>::traverse(const Ray<T>& ray, Visit&& visit,
     } else {
       probe.node(at.node, static_cast<double>(at.enter));
       const std::uint32_t left = at.node + 1, right = at.node + node.link;
-      const Interval<Time> in_left = test(nodes_[left].volume, far), in_right = test(nodes_[right].volume, far);
+      const auto [in_left, in_right] = test(nodes_[left].volume, nodes_[right].volume, far);
       const Waiting to_left{left, in_left.lo}, to_right{right, in_right.lo};
       const bool meets_left = !in_left.is_empty(), meets_right = !in_right.is_empty();
       if (meets_left && meets_right) {

@@ -14,11 +14,17 @@
 
 namespace sightline {
 
+/// In what range of parameters a ray is in each of two volumes.
+template <class T>
+struct PairTimes {
+  Interval<T> first, second;
+};
+
 /// A volume as a node stores it.
 ///   B1  around(box, points) contains the convex hull of the points, whose bounds are the box.
-///   B2  Test<T>{ray}(volume, far) is the range of parameters within [t_min, far] in which the padded ray may be in the
-///       volume: as large as margin M2 (padded_ray.h) demands or larger, and empty (lo > hi) only if it may be skipped.
-///       It never holds a NaN.
+///   B2  Test<T>{ray}(first, second, far) are the ranges of parameters within [t_min, far] in which the padded ray may
+///       be in the volumes: as large as margin M2 (padded_ray.h) demands or larger, and empty (lo > hi) only if a
+///       volume may be skipped. They never hold a NaN. Two at a time, because siblings are tested together.
 template <class V>
 concept BoundingVolume = std::is_trivially_copyable_v<V> &&
     requires(const V& volume, const Aabb& box, std::span<const Vec3f> points, const PaddedRay<float>& ray,
@@ -31,7 +37,7 @@ concept BoundingVolume = std::is_trivially_copyable_v<V> &&
   { V::half_area_around(box) } -> std::same_as<double>;  // of such a volume around a box
   {volume.region()};                                     // as cells show it
   typename V::template Test<float>::Time;
-  { test(volume, ray.t_max) } -> std::same_as<Interval<typename V::template Test<float>::Time>>;
+  { test(volume, volume, ray.t_max) } -> std::same_as<PairTimes<typename V::template Test<float>::Time>>;
 };
 
 /// A padded ray in double, walked in units of distance: round volumes need squares, and those of floats leave the range

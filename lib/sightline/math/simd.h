@@ -4,8 +4,38 @@
 
 #include <hwy/highway.h>
 
+#include <cstdint>
+
 namespace sightline {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+/// The larger of each lane; that of b where a is NaN. b is none.
+template <class V>
+V larger(V a, V b) {
+  if constexpr (HWY_ARCH_X86) {
+    return hn::Max(a, b);  // maxps gives its second operand where either is NaN
+  } else {
+    return hn::IfThenElse(hn::Gt(a, b), a, b);
+  }
+}
+
+/// The smaller of each lane; that of b where a is NaN. b is none.
+template <class V>
+V smaller(V a, V b) {
+  if constexpr (HWY_ARCH_X86) {
+    return hn::Min(a, b);
+  } else {
+    return hn::IfThenElse(hn::Lt(a, b), a, b);
+  }
+}
+
+/// One bit a lane, of at most eight lanes.
+template <class D, class M>
+std::uint32_t bits_of(D d, M mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  return bytes[0];
+}
 
 }  // namespace sightline

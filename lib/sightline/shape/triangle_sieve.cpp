@@ -36,7 +36,7 @@ void TriangleSieve::cross(const TriangleBlock& block, float t_min, float far, Cr
     const V m = e.largest();
     const M is_sure = hn::And(hn::Gt(size, hn::Set(d, 0x1p-80f)),
                               hn::Le(hn::Mul(m, hn::Mul(m, m)), hn::Mul(hn::Set(d, reach_), size)));
-    found.unsure |= bits_of(hn::AndNot(is_sure, is_inside)) << lane;
+    found.unsure |= bits_of(d, hn::AndNot(is_sure, is_inside)) << lane;
     const M is_in_range = hn::And(hn::Gt(t, hn::Set(d, t_min)), hn::Le(t, hn::Set(d, far)));
     return hn::And(is_inside, hn::And(is_sure, is_in_range));
   });

@@ -135,15 +135,9 @@ class TriangleSieve {
   static std::uint32_t gather_bits(const TriangleBlock& block, Test&& test) {
     std::uint32_t bits = 0;
     for (std::uint32_t lane = 0; lane < block.count(); lane += hn::Lanes(d)) {
-      bits |= bits_of(test(lane)) << lane;
+      bits |= bits_of(d, test(lane)) << lane;
     }
     return bits & ((1u << block.count()) - 1);
-  }
-
-  static std::uint32_t bits_of(M mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, mask, bytes);
-    return bytes[0];
   }
 
   float origin_[3];          ///< In the order of axes_.
