@@ -5,10 +5,10 @@
 #include <tbb/parallel_invoke.h>
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
+#include "sightline/accel/large_pages.h"
 #include "sightline/accel/object_split.h"
 #include "sightline/accel/primitives.h"
 
@@ -33,18 +33,19 @@ class BinaryTree {
 
   /// `bins`: on each axis, when many primitives are divided.
   BinaryTree(const Primitives& primitives, int bins)
-      : splitter_({1, 1, 1, bins}, {}), items_(primitives.size()), order(primitives.size()) {
+      : order(primitives.size()), splitter_({1, 1, 1, bins}, {}), items_(primitives.size()) {
     const std::uint32_t count = primitives.size();
     if (count == 0) return;
-    size_ = std::size_t{2} * count - 1;
-    nodes_ = std::make_unique_for_overwrite<Node[]>(size_);
+    nodes_ = LargeBuffer<Node>(std::size_t{2} * count - 1);
     tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t id) { items_[id] = {primitives.bounds(id), id}; });
     grow(0, 0, count, 0);
     tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t i) { order[i] = items_[i].id; });
-    items_ = {};
+    items_ = LargeBuffer<BoundsReference>();
   }
 
-  bool is_empty() const { return size_ == 0; }
+  std::vector<std::uint32_t> order;  ///< Ids by position (N2).
+
+  bool is_empty() const { return nodes_.size() == 0; }
   Node& operator[](std::uint32_t node) { return nodes_[node]; }
   const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
   bool is_leaf(std::uint32_t node) const { return nodes_[node].count == 1; }
@@ -60,7 +61,7 @@ class BinaryTree {
   static constexpr std::uint32_t task_size = 4096;
 
   void grow(std::uint32_t node, std::uint32_t first, std::uint32_t count, int depth) {
-    const std::span items = std::span(items_).subspan(first, count);
+    const std::span items = items_.part(first, count);
     Aabb box;
     for (const BoundsReference& item : items) box.extend(item.box);
     nodes_[node] = {box, count, 0};
@@ -78,12 +79,8 @@ class BinaryTree {
   }
 
   ObjectSplitter<Area> splitter_;
-  std::vector<BoundsReference> items_;
-  std::unique_ptr<Node[]> nodes_;
-  std::size_t size_ = 0;
-
- public:
-  std::vector<std::uint32_t> order;  ///< Ids by position (N2).
+  LargeBuffer<BoundsReference> items_;
+  LargeBuffer<Node> nodes_;
 };
 
 }  // namespace sightline

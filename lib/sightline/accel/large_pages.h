@@ -3,6 +3,9 @@
 
 #include <cstddef>
 #include <new>
+#include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #ifdef __linux__
@@ -45,5 +48,35 @@ struct LargePageAllocator {
 
 template <class T>
 using LargeVector = std::vector<T, LargePageAllocator<T>>;
+
+/// Scratch of a fixed size whose elements are left as they are found, so that whoever writes them first, in parallel,
+/// makes the pages.
+template <class T>
+class LargeBuffer {
+  static_assert(std::is_trivially_copyable_v<T> && std::is_aggregate_v<T>);
+
+ public:
+  LargeBuffer() = default;
+  explicit LargeBuffer(std::size_t size) : size_(size), elements_(LargePageAllocator<T>().allocate(size)) {}
+  LargeBuffer(LargeBuffer&& other) noexcept
+      : size_(std::exchange(other.size_, 0)), elements_(std::exchange(other.elements_, nullptr)) {}
+  LargeBuffer& operator=(LargeBuffer other) noexcept {
+    std::swap(size_, other.size_);
+    std::swap(elements_, other.elements_);
+    return *this;
+  }
+  ~LargeBuffer() {
+    if (elements_) LargePageAllocator<T>().deallocate(elements_, size_);
+  }
+
+  std::size_t size() const { return size_; }
+  T& operator[](std::size_t i) { return elements_[i]; }
+  const T& operator[](std::size_t i) const { return elements_[i]; }
+  std::span<T> part(std::size_t first, std::size_t count) { return {elements_ + first, count}; }
+
+ private:
+  std::size_t size_ = 0;
+  T* elements_ = nullptr;
+};
 
 }  // namespace sightline
