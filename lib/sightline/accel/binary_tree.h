@@ -62,8 +62,7 @@ class BinaryTree {
 
   void grow(std::uint32_t node, std::uint32_t first, std::uint32_t count, int depth) {
     const std::span items = items_.part(first, count);
-    Aabb box;
-    for (const BoundsReference& item : items) box.extend(item.box);
+    const Aabb box = bounds_of(items);
     nodes_[node] = {box, count, 0};
     if (count == 1) return;
     const std::size_t chosen = depth < heuristic_depth ? splitter_.cheapest(items, box) : splitter_.median(items);

@@ -184,12 +184,6 @@ class BoundingVolumeHierarchy<Volume>::Builder {
   /// Subtrees smaller than this are not worth a task.
   static constexpr std::uint32_t task_size = 4096;
 
-  static Aabb bounds_of(std::span<const BoundsReference> items) {
-    Aabb box;
-    for (const BoundsReference& item : items) box.extend(item.box);
-    return box;
-  }
-
   std::size_t most_points() const {
     using Range = tbb::blocked_range<std::uint32_t>;
     const auto most_in = [&](const Range& ids, int most) {

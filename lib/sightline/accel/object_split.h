@@ -16,14 +16,49 @@
 
 #include "sightline/math/aabb.h"
 #include "sightline/math/rounding.h"
+#include "sightline/math/simd.h"
 
 namespace sightline {
 
-/// A primitive while building: its bounds, moved about in place of it.
-struct BoundsReference {
+/// A primitive while building: its bounds, moved about in place of it. Padded, so that one register reads it.
+struct alignas(32) BoundsReference {
   Aabb box;
   std::uint32_t id;
 };
+static_assert(sizeof(BoundsReference) == 32 && sizeof(Aabb) == 24);
+
+/// A box that grows by one instruction a reference, where registers are wide enough.
+class GrowingBox {
+ public:
+  GrowingBox() { lows_.fill(std::numeric_limits<float>::infinity()); }
+
+  void extend(const BoundsReference& item) {
+    for (std::size_t i = 0; i < 8; i += hn::Lanes(d)) {
+      const auto old = hn::Load(d, lows_.data() + i);
+      const auto added = hn::Load(d, reinterpret_cast<const float*>(&item) + i);
+      hn::Store(hn::Min(old, hn::Xor(added, hn::Load(d, signs.data() + i))), d, lows_.data() + i);
+    }
+  }
+  void extend(const GrowingBox& other) {
+    for (std::size_t i = 0; i < 8; i += hn::Lanes(d)) {
+      hn::Store(hn::Min(hn::Load(d, lows_.data() + i), hn::Load(d, other.lows_.data() + i)), d, lows_.data() + i);
+    }
+  }
+  Aabb box() const { return {{lows_[0], lows_[1], lows_[2]}, {-lows_[3], -lows_[4], -lows_[5]}}; }
+
+ private:
+  using D = hn::CappedTag<float, 8>;
+  static constexpr D d{};
+  alignas(32) static constexpr std::array<float, 8> signs{0, 0, 0, -0.0f, -0.0f, -0.0f, 0, 0};
+
+  alignas(32) std::array<float, 8> lows_;  ///< Low ends, high ones negated; the last two mean nothing.
+};
+
+inline Aabb bounds_of(std::span<const BoundsReference> items) {
+  GrowingBox all;
+  for (const BoundsReference& item : items) all.extend(item);
+  return all.box();
+}
 
 inline constexpr int max_split_bins = 64;
 
@@ -68,6 +103,8 @@ class ObjectSplitter {
 
  private:
   static constexpr std::size_t sweep_size = 32;
+  static constexpr std::size_t many = 1024;  ///< Fewer references are divided between few_bins at most.
+  static constexpr int few_bins = 16;
 
   /// Area times count of both parts. Equal costs (points, lines, copies) go to the more balanced parts.
   struct Choice {
@@ -104,65 +141,79 @@ class ObjectSplitter {
            costs_.inner_node * area + costs_.primitive * best.cost;
   }
 
-  struct Bin {
-    Aabb box;
-    std::size_t count = 0;
-
-    void extend(const Bin& other) {
-      box.extend(other.box);
-      count += other.count;
-    }
+  struct Bins {
+    std::array<GrowingBox, max_split_bins> boxes;
+    std::array<std::uint32_t, max_split_bins> counts{};
   };
-  using Bins = std::array<Bin, max_split_bins>;
 
-  /// Which bin a center falls into. NaN, from an extent that is no finite float, falls into the first.
-  struct Binning {
-    float lowest = 0, scale = 0;
-    int count = 0;
+  /// Which bins a reference's center falls into, on all axes at once. NaN, from an extent that is no finite float,
+  /// falls into the first.
+  class Binning {
+   public:
+    Binning(const Aabb& centers, int count) : last_(static_cast<float>(count - 1)) {
+      for (int axis = 0; axis < 3; ++axis) {
+        lowest_[axis] = centers.lo[axis];
+        scale_[axis] = static_cast<float>(count) / (centers.hi[axis] - centers.lo[axis]);
+      }
+    }
 
-    int operator()(float at) const { return clamp_to_index((at - lowest) * scale, count); }
+    /// Of the axes; the fourth number means nothing.
+    std::array<std::int32_t, 4> operator()(const BoundsReference& item) const {
+      constexpr hn::CappedTag<float, 4> d{};
+      constexpr hn::RebindToSigned<decltype(d)> to_int{};
+      alignas(16) std::array<std::int32_t, 4> bins;
+      for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
+        const auto half = hn::Set(d, 0.5f);
+        const auto center =
+            hn::Add(hn::Mul(half, hn::LoadU(d, &item.box.lo.x + i)), hn::Mul(half, hn::LoadU(d, &item.box.hi.x + i)));
+        const auto place = hn::Mul(hn::Sub(center, hn::Load(d, lowest_.data() + i)), hn::Load(d, scale_.data() + i));
+        const auto above = hn::IfThenElseZero(hn::Gt(place, hn::Zero(d)), place);
+        hn::Store(hn::ConvertTo(to_int, hn::Min(above, hn::Set(d, last_))), to_int, bins.data() + i);
+      }
+      return bins;
+    }
+
+   private:
+    alignas(16) std::array<float, 4> lowest_{}, scale_{};
+    float last_;
   };
 
   std::size_t bin(std::span<BoundsReference> items, const Aabb& box) const {
-    const Aabb centers = centers_of(items);
-    std::array<Binning, 3> binning;
+    const int count = items.size() < many ? std::min(costs_.bins, few_bins) : costs_.bins;
+    const Binning binning(centers_of(items), count);
     std::array<Bins, 3> bins;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float extent = centers.hi[axis] - centers.lo[axis];
-      binning[axis] = {centers.lo[axis], static_cast<float>(costs_.bins) / extent, costs_.bins};
-    }
     for (const BoundsReference& item : items) {
-      for (int axis = 0; axis < 3; ++axis) {
-        Bin& into = bins[axis][binning[axis](center(item, axis))];
-        into.box.extend(item.box);
-        ++into.count;
+      const auto into = binning(item);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(into[axis]);
+        bins[axis].boxes[i].extend(item);
+        ++bins[axis].counts[i];
       }
     }
     Choice best;
-    for (int axis = 0; axis < 3; ++axis) choose(bins[axis], axis, best);
+    for (int axis = 0; axis < 3; ++axis) choose(bins[axis], count, axis, best);
     if (best.below == 0) return median(items);  // every axis has all centers in one bin
     if (is_leaf_cheaper(best, items.size(), box)) return 0;
-    const Binning& chosen = binning[best.axis];
-    const auto middle = std::partition(items.begin(), items.end(), [&](const BoundsReference& item) {
-      return chosen(center(item, best.axis)) < best.place;
-    });
+    const auto middle = std::partition(
+        items.begin(), items.end(), [&](const BoundsReference& item) { return binning(item)[best.axis] < best.place; });
     return static_cast<std::size_t>(middle - items.begin());
   }
 
-  void choose(const Bins& bins, int axis, Choice& best) const {
+  void choose(const Bins& bins, int count, int axis, Choice& best) const {
     std::array<double, max_split_bins> area_above;
     std::array<std::size_t, max_split_bins> count_above;
-    Bin above;
-    for (int place = costs_.bins - 1; place > 0; --place) {
-      above.extend(bins[place]);
-      area_above[place] = area_(above.box);
-      count_above[place] = above.count;
+    GrowingBox above, below;
+    std::size_t in_above = 0, in_below = 0;
+    for (int place = count - 1; place > 0; --place) {
+      above.extend(bins.boxes[place]);
+      area_above[place] = area_(above.box());
+      count_above[place] = in_above += bins.counts[place];
     }
-    Bin below;
-    for (int place = 1; place < costs_.bins; ++place) {
-      below.extend(bins[place - 1]);
-      if (below.count == 0 || count_above[place] == 0) continue;
-      consider(weigh(area_(below.box), below.count, area_above[place], count_above[place]), axis, place, best);
+    for (int place = 1; place < count; ++place) {
+      below.extend(bins.boxes[place - 1]);
+      in_below += bins.counts[place - 1];
+      if (in_below == 0 || count_above[place] == 0) continue;
+      consider(weigh(area_(below.box()), in_below, area_above[place], count_above[place]), axis, place, best);
     }
   }
 
