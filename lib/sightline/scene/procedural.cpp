@@ -50,15 +50,11 @@ TriangleMesh make_soup(int triangles) {
 }
 
 TriangleMesh make_sticks(int triangles) {
-  constexpr float length = 0.4f, width = 0.002f;
-  return random_triangles(triangles, [](Random& random) {
+  const Vec3f along(1.75f, 1.75f, 0);
+  constexpr float width = 0.004f;
+  return random_triangles(triangles, [&](Random& random) {
     const Vec3f a = random_point(random);
-    const auto axis = static_cast<int>(random.below(3));
-    Vec3f along(0), across(0);
-    along[axis] = length;
-    along[(axis + 1) % 3] = random.below(2) == 0 ? length : -length;
-    across[(axis + 2) % 3] = width;
-    return std::array{a, a + along, a + across};
+    return std::array{a, a + along, a + width * (random_point(random) - 0.5f)};
   });
 }
 

@@ -9,7 +9,8 @@ namespace sightline {
 /// Small triangles anywhere in the unit cube, each about as large as the room that it has.
 TriangleMesh make_soup(int triangles);
 
-/// Long thin triangles along the diagonals of the coordinate planes: their boxes are nearly empty.
+/// Long thin triangles side by side, all at 45 degrees to the same two axes: their boxes are nearly empty and overlap
+/// by the hundred, while planes along them part them.
 TriangleMesh make_sticks(int triangles);
 
 /// A landscape of cells * cells quads over the unit square, rough at all scales. y is up.
