@@ -78,14 +78,15 @@ class Checks {
     }
   }
 
-  /// How many of a peer's answers are other than ours beyond rounding.
-  std::size_t disagreeing(std::span<const Answer> answers) const {
+  /// How many of a peer's answers are other than ours beyond rounding. Indices as above.
+  std::size_t disagreeing(std::span<const Answer> answers, std::span<const std::size_t> indices = {}) const {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < answers.size(); ++i) {
+    for (std::size_t k = 0; k < answers.size(); ++k) {
+      const std::size_t ray = indices.empty() ? k : indices[k];
       if constexpr (std::is_same_v<Answer, std::uint8_t>) {
-        count += answers[i] != reference_[i];
+        count += answers[k] != reference_[ray];
       } else {
-        count += !agrees(mesh_, rays_[i], reference_[i], answers[i]);
+        count += !agrees(mesh_, rays_[ray], reference_[ray], answers[k]);
       }
     }
     return count;

@@ -2,87 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <sstream>
 
 #include "bench/contender.h"
-#include "sightline/scene/scenes.h"
+#include "bench/growth.h"
+#include "bench/help.h"
+#include "bench/peers/peers.h"
 
 namespace sightline::bench {
 namespace {
-
-constexpr std::string_view introduction =
-    R"(Measures every structure of the library beside Embree: how fast it is built, how
-much memory it takes, and how fast it answers rays.
-
-Every hit is verified before the first time is shown. Where one of our structures
-is wrong in a single bit, the run names the ray and ends with exit code 1.
-)";
-
-constexpr std::string_view reading = R"(
-How to read the table:
-  build      Milliseconds from the mesh to a structure that is ready to be asked.
-  memory     Bytes a triangle takes: nodes, leaf order, copies of triangles.
-  Mrays/s    Million rays a second, one by one on one thread. More is better.
-  (0.25x)    That speed over Embree's: a quarter of it. Taken round by round, as
-             the median, so that a busy machine disturbs it little.
-  nodes      Inner nodes and empty cells that a ray opens: the structure's part.
-  candidates Triangles that a ray is tested against: what the structure leaves over.
-  Digits     end where the measurement's uncertainty begins.
-
-Examples:
-  sightline-bench --quick                      a first impression
-  sightline-bench --accel kd-tree,bih --scene dragon:3 --rounds 21
-  sightline-bench --accel kd-tree --accel kd-tree:max_leaf_size=16
-                                               one structure against itself
-  sightline-bench --scene soup:100000 --workload build --threads 1
-  sightline-bench --json out/bench.json        with all rounds, for other tools
-  sightline-bench -- --benchmark_filter=bih    flags of Google Benchmark
-
-Exit code: 0; 1 when a file cannot be read or written or hits are wrong; 2 when
-the command line is.
-)";
-
-constexpr std::size_t width = 88;
-
-std::string wrapped(const std::string& text, std::size_t indent) {
-  std::istringstream words(text);
-  std::string out, line;
-  const auto flush = [&] { out += std::string(indent, ' ') + line + '\n'; };
-  for (std::string word; words >> word;) {
-    if (!line.empty() && indent + line.size() + 1 + word.size() > width) {
-      flush();
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
-  }
-  if (!line.empty()) flush();
-  return out;
-}
-
-std::string catalogue() {
-  std::string text = "\nWorkloads:\n";
-  for (const WorkloadInfo& info : workload_infos) {
-    text += "  " + std::string(info.name) + '\n' + wrapped(std::string(info.description), 6);
-  }
-  text += "\nScenes (NAME or NAME:SIZE, or the path of an OBJ, PLY, STL, OFF or glTF file):\n";
-  for (const SceneInfo& info : scene_infos()) {
-    const std::string sizes = "Sizes " + std::to_string(info.lowest) + " to " + std::to_string(info.highest) +
-                              ", normally " + std::to_string(info.default_size) + '.';
-    text += "  " + std::string(info.name) + '\n' + wrapped(std::string(info.description), 6) + wrapped(sizes, 6);
-  }
-  text += "\nAccelerators and their options:\n";
-  for (const AcceleratorInfo& info : accelerator_infos()) {
-    text += "  " + std::string(info.name) + '\n' + wrapped(std::string(info.description), 6);
-    for (const AcceleratorInfo::Option& option : info.options) {
-      text += "      " + std::string(option.name) + " = " + option.default_value + "   (" + option.allowed + ")\n" +
-              wrapped(std::string(option.help), 10);
-    }
-  }
-  text += "\nPeers (always part of the run):\n";
-  text += "  embree\n" + wrapped("Embree 3 as it comes: float tests that may leak between neighbours", 6);
-  text += "  embree-robust\n" + wrapped("with RTC_SCENE_FLAG_ROBUST, as watertight as ours promise to be", 6);
-  return text;
-}
 
 /// \throws std::invalid_argument
 std::vector<AcceleratorSpec> parse_structures(const std::vector<std::string>& texts,
@@ -116,14 +43,65 @@ std::vector<Workload> parse_workloads(const std::vector<std::string>& names) {
   return workloads;
 }
 
+std::string peer_names() {
+  std::string names = "all, none";
+  for (const PeerInfo& info : peer_infos()) names += ", " + std::string(info.name);
+  return names;
+}
+
+/// In their own order, the reference in front. "all" are those of this build, "none" is without a ratio.
+std::vector<std::string> parse_peers(const std::vector<std::string>& names) {
+  const auto is_named = [&](std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (const std::string& name : names) {
+    if (name == "all" || name == "none") continue;
+    const auto infos = peer_infos();
+    const auto info = std::find_if(infos.begin(), infos.end(), [&](const PeerInfo& i) { return i.name == name; });
+    if (info == infos.end()) throw UsageError("unknown peer '" + name + "'; expected some of " + peer_names());
+    if (!info->make) {
+      throw UsageError("peer " + name + " is not in this build; install " + std::string(info->package) +
+                       ", then configure anew");
+    }
+  }
+  if (is_named("none")) {
+    if (names.size() > 1) throw UsageError("--peer none stands alone");
+    return {};
+  }
+  std::vector<std::string> peers;
+  for (const PeerInfo& info : peer_infos()) {
+    if (info.make && (info.name == reference_peer || is_named("all") || is_named(info.name)))
+      peers.emplace_back(info.name);
+  }
+  return peers;
+}
+
+constexpr std::size_t short_run_rays = 30'000;
+
 void make_quick(Plan& plan) {
-  plan.rays = 30'000;
+  plan.rays = short_run_rays;
   plan.rounds = 5;
   plan.slot_seconds = 0.02;
   plan.ray_seconds = 0.8;
   plan.build_seconds = 0.8;
   plan.oracle_tests = 5e7;
-  plan.brute_force_tests = 5e6;
+  plan.few_tests = 5e6;
+}
+
+/// Many scenes, each measured less: the sizes of one another's neighbours are what steadies the exponent.
+void make_growing(Plan& plan, bool is_quick) {
+  if (!is_growth_family(plan.growth)) {
+    throw UsageError("--growth " + plan.growth + ": expected soup or terrain");
+  }
+  if (!plan.scenes.empty()) throw UsageError("--growth makes its own scenes; it does not go with --scene");
+  plan.growth_limit = is_quick ? 30'000 : 300'000;
+  plan.rays = is_quick ? 3'000 : 20'000;
+  plan.rounds = is_quick ? 3 : 5;
+  plan.slot_seconds = is_quick ? 0.005 : 0.02;
+  plan.ray_seconds = is_quick ? 0.1 : 0.5;
+  plan.build_seconds = is_quick ? 0.1 : 1;
+  plan.oracle_tests = is_quick ? 1e7 : 5e7;
+  plan.few_tests = is_quick ? 1e6 : 5e6;
 }
 
 }  // namespace
@@ -137,14 +115,15 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   std::reverse(words.begin(), words.end());  // as CLI11 takes them
 
   Plan& plan = line.plan;
-  CLI::App app{std::string(introduction), "sightline-bench"};
+  CLI::App app{std::string(introduction()), "sightline-bench"};
   app.get_formatter()->column_width(30);
-  std::vector<std::string> accelerators, settings, workloads;
+  std::vector<std::string> accelerators, settings, workloads, peers;
+  std::size_t growth_limit = plan.growth_limit;
   bool is_quick = false, is_list = false;
   std::size_t rays = plan.rays;
   int rounds = plan.rounds;
   std::string data_dir = SIGHTLINE_DATA_DIR;
-  app.add_option("--scene", plan.scenes, "What is traced; repeatable (teapot; dragon:3 if fetched)")
+  app.add_option("--scene", plan.scenes, "What is traced; repeatable (teapot, dragon:3 if fetched, sticks)")
       ->type_name("SPEC")
       ->allow_extra_args(false);
   app.add_option("--accel", accelerators, "Structures, by commas or repeated (all)")
@@ -157,9 +136,20 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
       ->type_name("NAMES")
       ->delimiter(',')
       ->allow_extra_args(false);
-  auto* const rays_option = app.add_option("--rays", rays, "Rays of each kind, 1 to 100000000 (100000; quick 30000)")
-                                ->type_name("N")
-                                ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}).description(""));
+  app.add_option("--peer", peers, "Libraries beside ours, or all, none (embree,embree-robust)")
+      ->type_name("NAMES")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--growth", plan.growth, "Instead of scenes: soup or terrain at growing sizes, and the exponents")
+      ->type_name("FAMILY");
+  auto* const limit_option =
+      app.add_option("--growth-to", growth_limit, "Triangles to grow to, 3000 to 10000000 (300000; quick 30000)")
+          ->type_name("N")
+          ->check(CLI::Range(least_growth_limit, most_growth_limit).description(""));
+  auto* const rays_option =
+      app.add_option("--rays", rays, "Rays of each kind, 1 to 100000000 (100000; quick or without scenes 30000)")
+          ->type_name("N")
+          ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}).description(""));
   auto* const rounds_option =
       app.add_option("--rounds", rounds, "Rounds of timing everything once, 1 to 1000 (9; quick 5)")
           ->type_name("N")
@@ -175,7 +165,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   try {
     app.parse(words);
   } catch (const CLI::CallForHelp&) {
-    line.help = app.help() + std::string(reading) + catalogue();
+    line.help = app.help() + std::string(reading()) + catalogue();
     return line;
   } catch (const CLI::ParseError& error) {
     std::string text = error.what();
@@ -190,10 +180,17 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   for (auto scene = plan.scenes.begin(); scene != plan.scenes.end(); ++scene) {
     if (std::find(plan.scenes.begin(), scene, *scene) != scene) throw UsageError("--scene names " + *scene + " twice");
   }
+  if (plan.scenes.empty()) plan.rays = short_run_rays;
   if (is_quick) make_quick(plan);
+  if (!plan.growth.empty()) make_growing(plan, is_quick);
+  if (limit_option->count() > 0) {
+    if (plan.growth.empty()) throw UsageError("--growth-to goes with --growth");
+    plan.growth_limit = growth_limit;
+  }
   if (rays_option->count() > 0) plan.rays = rays;
   if (rounds_option->count() > 0) plan.rounds = rounds;
   plan.data_dir = data_dir;
+  if (!peers.empty()) plan.peers = parse_peers(peers);
   if (!workloads.empty()) plan.workloads = parse_workloads(workloads);
   if (accelerators.empty()) {
     for (const AcceleratorInfo& info : accelerator_infos()) accelerators.emplace_back(info.name);
@@ -204,6 +201,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     throw UsageError(error.what());
   }
   const auto is_spoiled = [&](const AcceleratorSpec& choice) { return choice.label == plan.spoiled; };
+  if (!plan.growth.empty() && !line.google_flags.empty()) throw UsageError("--growth takes no flags after --");
   if (!plan.spoiled.empty() && std::none_of(plan.structures.begin(), plan.structures.end(), is_spoiled)) {
     throw UsageError("--self-check " + plan.spoiled + ": no such structure in this run");
   }

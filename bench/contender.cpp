@@ -39,19 +39,20 @@ class BuiltStructure final : public Built {
 
 class Structure final : public Contender {
  public:
-  Structure(std::string label, std::string accelerator, TracerSettings settings)
-      : label_(std::move(label)), accelerator_(std::move(accelerator)), settings_(std::move(settings)) {}
+  explicit Structure(AcceleratorSpec spec) : spec_(std::move(spec)) {}
 
-  std::string name() const override { return label_; }
+  std::string name() const override { return spec_.label; }
   Kind kind() const override { return Kind::ours; }
-  bool is_brute_force() const override { return accelerator_ == oracle_name; }
+  const AcceleratorSpec* spec() const override { return &spec_; }
+  double tests_per_ray(std::size_t triangles) const override {
+    return spec_.accelerator == oracle_name ? static_cast<double>(triangles) : 0;
+  }
   std::unique_ptr<Built> build(const std::shared_ptr<const TriangleMesh>& mesh) const override {
-    return std::make_unique<BuiltStructure>(make_tracer(accelerator_, mesh, settings_));
+    return std::make_unique<BuiltStructure>(make_tracer(spec_.accelerator, mesh, spec_.settings));
   }
 
  private:
-  std::string label_, accelerator_;
-  TracerSettings settings_;
+  AcceleratorSpec spec_;
 };
 
 class BuiltSpoiled final : public Built {
@@ -79,7 +80,8 @@ class Spoiled final : public Contender {
 
   std::string name() const override { return sound_->name(); }
   Kind kind() const override { return sound_->kind(); }
-  bool is_brute_force() const override { return sound_->is_brute_force(); }
+  const AcceleratorSpec* spec() const override { return sound_->spec(); }
+  double tests_per_ray(std::size_t triangles) const override { return sound_->tests_per_ray(triangles); }
   std::unique_ptr<Built> build(const std::shared_ptr<const TriangleMesh>& mesh) const override {
     return std::make_unique<BuiltSpoiled>(sound_->build(mesh));
   }
@@ -90,9 +92,7 @@ class Spoiled final : public Contender {
 
 }  // namespace
 
-std::unique_ptr<Contender> make_structure(std::string label, std::string accelerator, TracerSettings settings) {
-  return std::make_unique<Structure>(std::move(label), std::move(accelerator), std::move(settings));
-}
+std::unique_ptr<Contender> make_structure(AcceleratorSpec spec) { return std::make_unique<Structure>(std::move(spec)); }
 
 std::unique_ptr<Contender> spoil(std::unique_ptr<Contender> contender) {
   return std::make_unique<Spoiled>(std::move(contender));

@@ -10,7 +10,7 @@
 
 #include "sightline/accel/probe.h"
 #include "sightline/math/ray.h"
-#include "sightline/query/tracer.h"
+#include "sightline/query/accelerator_spec.h"
 
 namespace sightline::bench {
 
@@ -44,15 +44,18 @@ class Contender {
   virtual ~Contender() = default;
   virtual std::string name() const = 0;
   virtual Kind kind() const = 0;
-  /// One of these asks every triangle of every ray, and so is asked fewer rays.
-  virtual bool is_brute_force() const { return false; }
+  /// What was asked for, of ours; null of a peer.
+  virtual const AcceleratorSpec* spec() const { return nullptr; }
+  /// Of one that is too slow to be asked all rays: about how many tests of a triangle take as long as one ray does. It
+  /// is asked as many rays, picked at random, as Plan::few_tests allows. Else 0.
+  virtual double tests_per_ray([[maybe_unused]] std::size_t triangles) const { return 0; }
   virtual std::unique_ptr<Built> build(const std::shared_ptr<const TriangleMesh>& mesh) const = 0;
 };
 
 inline constexpr std::string_view oracle_name = "brute-force";
 
-/// A structure of the registry with options of its own. `label` is what the report calls it.
-std::unique_ptr<Contender> make_structure(std::string label, std::string accelerator, TracerSettings settings);
+/// A structure of the registry with options of its own.
+std::unique_ptr<Contender> make_structure(AcceleratorSpec spec);
 
 /// `contender` with its first hit one unit in the last place too far and its first any-hit answer turned round: what
 /// the verification has to catch.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace sightline::bench {
 namespace {
@@ -43,6 +45,26 @@ Estimate estimate(std::vector<double> samples) {
   result.high = samples[n - k];
   result.confidence = n == 1 ? 0 : 1 - 2 * outside;
   return result;
+}
+
+std::optional<Estimate> estimate_of_present(std::vector<double> samples) {
+  std::erase_if(samples, [](double x) { return std::isnan(x); });
+  if (samples.empty()) return std::nullopt;
+  return estimate(std::move(samples));
+}
+
+std::vector<double> geometric_means(const std::vector<std::vector<double>>& series) {
+  std::size_t longest = 0;
+  for (const auto& samples : series) longest = std::max(longest, samples.size());
+  std::vector<double> means(longest);
+  for (std::size_t i = 0; i < longest; ++i) {
+    double logarithms = 0;
+    for (const auto& samples : series) {
+      logarithms += i < samples.size() ? std::log(samples[i]) : std::numeric_limits<double>::quiet_NaN();
+    }
+    means[i] = std::exp(logarithms / static_cast<double>(series.size()));
+  }
+  return means;
 }
 
 std::string measured_text(const Estimate& value, int significant) {

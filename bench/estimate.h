@@ -1,6 +1,7 @@
 #pragma once
 /// What a series of measurements says: the median, and how sure it is.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,14 @@ struct Estimate {
 /// The narrowest interval of that kind with a confidence of 0.95; that of smallest and largest where none has it.
 /// \throws std::invalid_argument without samples.
 Estimate estimate(std::vector<double> samples);
+
+/// The same of those that are not NaN; nothing without any.
+std::optional<Estimate> estimate_of_present(std::vector<double> samples);
+
+/// By index, the geometric mean of what the series have there: NaN where one of them has NaN or ends earlier. One row
+/// of independent samples from each series is one sample of the mean, so estimate() holds for the result. Of positive
+/// numbers; empty without series.
+std::vector<double> geometric_means(const std::vector<std::vector<double>>& series);
 
 /// A number with as many digits as its interval bears, at most `significant`: 0.2137 within +-0.03 is "0.21".
 std::string measured_text(const Estimate& value, int significant = 3);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "bench/summary.h"
+
 namespace sightline::bench {
 namespace {
 
@@ -36,6 +38,8 @@ Json json_of(const Machine& machine) {
           {"versions",
            {{"sightline", machine.sightline_version},
             {"embree", machine.embree_version},
+            {"cgal", machine.cgal_version.empty() ? Json(nullptr) : Json(machine.cgal_version)},
+            {"vtk", machine.vtk_version.empty() ? Json(nullptr) : Json(machine.vtk_version)},
             {"google_benchmark", machine.google_benchmark_version},
             {"tbb", machine.tbb_version}}}};
 }
@@ -43,11 +47,8 @@ Json json_of(const Machine& machine) {
 Json json_of(const Plan& plan) {
   Json workloads = Json::array();
   for (const Workload w : plan.workloads) workloads.push_back(workload_infos[index_of(w)].name);
-  return {{"rays", plan.rays},
-          {"rounds", plan.rounds},
-          {"build_threads", plan.threads},
-          {"workloads", workloads},
-          {"slot_seconds", plan.slot_seconds}};
+  return {{"rays", plan.rays},   {"rounds", plan.rounds},  {"build_threads", plan.threads},
+          {"peers", plan.peers}, {"workloads", workloads}, {"slot_seconds", plan.slot_seconds}};
 }
 
 Json traced_json(const ContenderReport& contender, const Measurement& own) {
@@ -105,9 +106,43 @@ Json json_of(const ContenderReport& contender, std::size_t triangles) {
   return json;
 }
 
+Json summary_json(std::span<const SceneReport> scenes) {
+  Json json = Json::array();
+  for (const SummaryLine& line : summary_of(scenes)) {
+    Json entry{{"name", line.name},
+               {"bytes_per_primitive", line.bytes_per_triangle ? Json(*line.bytes_per_triangle) : Json(nullptr)}};
+    entry["ratio_to_embree"] = Json::object();
+    for (const WorkloadInfo& info : workload_infos) {
+      const auto& ratio = line.ratio[index_of(info.workload)];
+      if (ratio) entry["ratio_to_embree"][std::string(info.name)] = json_of(ratio);
+    }
+    json.push_back(std::move(entry));
+  }
+  return json;
+}
+
+Json growth_json(const Plan& plan, std::span<const GrowthLine> lines) {
+  Json json{{"family", plan.growth}, {"limit", plan.growth_limit}, {"contenders", Json::array()}};
+  for (const GrowthLine& line : lines) {
+    Json entry{{"name", line.name},
+               {"left_out_from", line.left_out_from == 0 ? Json(nullptr) : Json(line.left_out_from)}};
+    entry["fits"] = Json::object();
+    for (const WorkloadInfo& info : workload_infos) {
+      const auto& fit = line.fit[index_of(info.workload)];
+      if (!fit) continue;
+      entry["fits"][std::string(info.name)] = {
+          {"exponent", fit->exponent},
+          {"standard_error", fit->standard_error ? Json(*fit->standard_error) : Json(nullptr)},
+          {"seconds_of_one_triangle", fit->factor}};
+    }
+    json["contenders"].push_back(std::move(entry));
+  }
+  return json;
+}
+
 }  // namespace
 
-std::string json_text(const Report& report) {
+std::string json_text(const Report& report, std::span<const GrowthLine> growth) {
   Json json{{"schema", "sightline-bench 1"}, {"date", report.machine.date}};
   json["machine"] = json_of(report.machine);
   json["plan"] = json_of(report.plan);
@@ -121,6 +156,8 @@ std::string json_text(const Report& report) {
     }
     json["scenes"].push_back(entry);
   }
+  json["summary"] = growth.empty() && report.scenes.size() > 1 ? summary_json(report.scenes) : Json(nullptr);
+  json["growth"] = growth.empty() ? Json(nullptr) : growth_json(report.plan, growth);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

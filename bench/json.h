@@ -1,12 +1,14 @@
 #pragma once
 
+#include <span>
 #include <string>
 
+#include "bench/growth.h"
 #include "bench/report.h"
 
 namespace sightline::bench {
 
 /// The whole report; README.md documents the schema.
-std::string json_text(const Report& report);
+std::string json_text(const Report& report, std::span<const GrowthLine> growth = {});
 
 }  // namespace sightline::bench

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "bench/peers/embree.h"
+#include "bench/peers/peers.h"
 
 namespace sightline::bench {
 namespace {
@@ -63,6 +64,8 @@ Machine this_machine() {
   machine.date = utc_date();
   machine.sightline_version = SIGHTLINE_BENCH_VERSION;
   machine.embree_version = embree_version();
+  machine.cgal_version = cgal_version();
+  machine.vtk_version = vtk_version();
   machine.google_benchmark_version = SIGHTLINE_BENCH_GOOGLE_BENCHMARK_VERSION;
   machine.tbb_version = std::to_string(TBB_VERSION_MAJOR) + '.' + std::to_string(TBB_VERSION_MINOR);
   return machine;

@@ -15,7 +15,7 @@ struct Machine {
   std::string build_type;
   bool has_assertions = false;  ///< Then times say little.
   std::string date;             ///< UTC, ISO 8601.
-  std::string sightline_version, embree_version, google_benchmark_version, tbb_version;
+  std::string sightline_version, embree_version, cgal_version, vtk_version, google_benchmark_version, tbb_version;
 };
 
 Machine this_machine();

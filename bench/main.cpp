@@ -4,8 +4,10 @@
 #include <exception>
 
 #include "bench/command_line.h"
+#include "bench/growth.h"
 #include "bench/json.h"
 #include "bench/rounds.h"
+#include "bench/summary.h"
 #include "bench/table.h"
 #include "sightline/io/file_error.h"
 #include "sightline/io/output_file.h"
@@ -36,6 +38,7 @@ std::vector<NamedMesh> load_scenes(const Plan& plan, Progress& progress) {
   } catch (const FileError&) {
     std::fputs("sightline-bench: without the dragon, which data/fetch gets\n", stderr);
   }
+  meshes.push_back({"sticks", load_scene("sticks", plan.data_dir)});
   return meshes;
 }
 
@@ -55,6 +58,12 @@ int run(const CommandLine& line) {
 
   Progress progress;
   Report report{this_machine(), line.plan, {}};
+  if (!line.plan.growth.empty()) {
+    report.scenes = run_growth(line.plan, progress);
+    print(head_text(report.machine, line.plan) + '\n' + growth_text(report.scenes, line.plan));
+    if (!line.json.empty()) write_text(line.json, json_text(report, growth_of(report.scenes)));
+    return 0;
+  }
   const std::vector<NamedMesh> meshes = load_scenes(line.plan, progress);
   const Contenders contenders = make_contenders(line.plan);
   std::vector<Stage> stages;
@@ -69,8 +78,9 @@ int run(const CommandLine& line) {
   });
   progress.clear();
   if (count == 0) return 0;  // Google Benchmark was asked to list only, or for nothing that there is
-  if (line.json.empty()) return 0;
   for (const Stage& stage : stages) report.scenes.push_back(stage.report());
+  if (report.scenes.size() > 1) print('\n' + summary_text(report.scenes, line.plan));
+  if (line.json.empty()) return 0;
   write_text(line.json, json_text(report));
   return 0;
 }

@@ -29,7 +29,8 @@ inline constexpr std::size_t index_of(Workload workload) { return static_cast<st
 
 struct Plan {
   std::vector<std::string> scenes;
-  std::vector<AcceleratorSpec> structures;  ///< Under the labels that the report gives them.
+  std::vector<AcceleratorSpec> structures;                    ///< Under the labels that the report gives them.
+  std::vector<std::string> peers{"embree", "embree-robust"};  ///< Names of this build's peers, each once.
   std::vector<Workload> workloads{Workload::build, Workload::primary, Workload::bounce, Workload::shadow};
   std::size_t rays = 100'000;  ///< Of each workload.
   int rounds = 9;
@@ -42,9 +43,12 @@ struct Plan {
   /// One that would need longer than this for all its rounds of a workload takes part in fewer.
   double ray_seconds = 4;
   double build_seconds = 6;
-  /// How many ray-triangle tests brute force may spend: on verifying a workload, and on one timed round.
-  double oracle_tests = 2e8;
-  double brute_force_tests = 2e7;
+  double oracle_tests = 2e8;  ///< Tests of a ray with a triangle that brute force may spend on verifying a workload.
+  double few_tests = 2e7;     ///< The same for one pass of those that are asked fewer rays; see Contender.
+
+  std::string growth;  ///< A family of scenes, to be measured at growing sizes instead of `scenes`; or empty.
+  std::size_t growth_limit = 300'000;  ///< Triangles of the largest, about.
+  double growth_build_seconds = 4;     ///< One that would build the next size for longer is left out from there on.
 
   bool has(Workload workload) const {
     for (const Workload w : workloads) {

@@ -1,31 +1,36 @@
 #include "bench/report.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "bench/peers/peers.h"
 
 namespace sightline::bench {
 
-void summarize(SceneReport& scene) {
-  const ContenderReport* reference = nullptr;
-  for (const ContenderReport& contender : scene.contenders) {
-    if (contender.name == reference_peer) reference = &contender;
+std::vector<double> paired_ratios(const Measurement& own, const Measurement& reference) {
+  std::vector<double> ratios(own.round_seconds.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t round = 0; round < std::min(ratios.size(), reference.round_seconds.size()); ++round) {
+    const double own_rate = static_cast<double>(own.rays) / own.round_seconds[round];
+    ratios[round] = own_rate / (static_cast<double>(reference.rays) / reference.round_seconds[round]);
   }
+  return ratios;
+}
+
+const ContenderReport* reference_of(const SceneReport& scene) {
+  const auto found = std::find_if(scene.contenders.begin(), scene.contenders.end(),
+                                  [](const ContenderReport& contender) { return contender.name == reference_peer; });
+  return found == scene.contenders.end() ? nullptr : &*found;
+}
+
+void summarize(SceneReport& scene) {
+  const ContenderReport* reference = reference_of(scene);
   for (ContenderReport& contender : scene.contenders) {
     for (std::size_t w = 0; w < workload_count; ++w) {
       if (!contender.at[w]) continue;
       Measurement& own = *contender.at[w];
-      std::vector<double> seconds, ratios;
-      for (std::size_t round = 0; round < own.round_seconds.size(); ++round) {
-        if (std::isnan(own.round_seconds[round])) continue;
-        seconds.push_back(own.round_seconds[round]);
-        if (!reference || !reference->at[w] || round >= reference->at[w]->round_seconds.size()) continue;
-        const Measurement& other = *reference->at[w];
-        if (std::isnan(other.round_seconds[round])) continue;
-        const double own_rate = static_cast<double>(own.rays) / own.round_seconds[round];
-        const double other_rate = static_cast<double>(other.rays) / other.round_seconds[round];
-        ratios.push_back(own_rate / other_rate);
-      }
-      own.seconds = seconds.empty() ? std::nullopt : std::optional(estimate(seconds));
-      own.ratio = ratios.empty() ? std::nullopt : std::optional(estimate(ratios));
+      own.seconds = estimate_of_present(own.round_seconds);
+      own.ratio = std::nullopt;
+      if (reference && reference->at[w]) own.ratio = estimate_of_present(paired_ratios(own, *reference->at[w]));
     }
   }
 }

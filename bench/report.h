@@ -42,7 +42,7 @@ struct Measurement {
 struct ContenderReport {
   std::string name;
   Contender::Kind kind = Contender::Kind::ours;
-  bool is_brute_force = false;
+  bool is_asked_fewer = false;                  ///< Rays than there are, picked at random, because it is slow.
   std::string accelerator;                      ///< Of ours: the registry's name.
   std::vector<TracerSettings::Option> options;  ///< Of ours: those that were set.
   Built::Bytes bytes;                           ///< After all rays were traced once.
@@ -66,8 +66,11 @@ struct Report {
   std::vector<SceneReport> scenes;
 };
 
-/// The peer that ratios refer to.
-inline constexpr std::string_view reference_peer = "embree";
+/// By round, the speed per ray over the reference's; NaN in rounds in which not both took part.
+std::vector<double> paired_ratios(const Measurement& own, const Measurement& reference);
+
+/// What ratios refer to; null where it is not part of the run.
+const ContenderReport* reference_of(const SceneReport& scene);
 
 /// Fills `seconds` and `ratio` in from `round_seconds`. A ratio is the median of the ratios of the rounds in which both
 /// took part, so that what slows the machine down for a while slows both.

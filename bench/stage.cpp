@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "bench/checks.h"
-#include "bench/peers/embree.h"
+#include "bench/peers/peers.h"
 
 namespace sightline::bench {
 namespace {
@@ -54,19 +54,22 @@ std::string_view reference_name() {
 Contenders make_contenders(const Plan& plan) {
   Contenders contenders;
   for (const AcceleratorSpec& choice : plan.structures) {
-    TracerSettings settings = choice.settings;
-    settings.threads = plan.threads;
-    contenders.push_back(make_structure(choice.label, choice.accelerator, settings));
+    AcceleratorSpec spec = choice;
+    spec.settings.threads = plan.threads;
+    contenders.push_back(make_structure(std::move(spec)));
     if (choice.label == plan.spoiled) contenders.back() = spoil(std::move(contenders.back()));
   }
-  contenders.push_back(make_embree(EmbreeMode::standard, plan.threads));
-  contenders.push_back(make_embree(EmbreeMode::robust, plan.threads));
+  for (const PeerInfo& info : peer_infos()) {
+    if (std::find(plan.peers.begin(), plan.peers.end(), info.name) == plan.peers.end()) continue;
+    if (!info.make) throw std::invalid_argument("peer " + std::string(info.name) + " is not part of this build");
+    contenders.push_back(info.make(plan.threads));
+  }
   return contenders;
 }
 
 Stage::Stage(const Plan& plan, const std::string& scene, std::shared_ptr<const TriangleMesh> mesh,
              const Contenders& contenders, Progress& progress)
-    : plan_(plan), mesh_(std::move(mesh)), contenders_(contenders) {
+    : plan_(plan), mesh_(std::move(mesh)), contenders_(contenders), few_rays_(contenders.size()) {
   report_.name = scene;
   report_.triangles = mesh_->size();
   build_all(progress);
@@ -74,8 +77,8 @@ Stage::Stage(const Plan& plan, const std::string& scene, std::shared_ptr<const T
   progress.say(report_.name + ": making rays");
   TracerSettings settings;
   settings.threads = plan_.threads;
-  const auto reference = make_structure("", std::string(reference_name()), settings)->build(mesh_);
-  const auto oracle = make_structure("", std::string(oracle_name), settings)->build(mesh_);
+  const auto reference = make_structure({"", std::string(reference_name()), settings})->build(mesh_);
+  const auto oracle = make_structure({"", std::string(oracle_name), settings})->build(mesh_);
   rays_ = make_rays(*mesh_, plan_.rays, [&](auto rays, auto hits) { reference->closest_hits(rays, hits); });
   std::size_t most = 0;
   for (const auto& rays : rays_) most = std::max(most, rays.size());
@@ -102,13 +105,14 @@ void Stage::build_all(Progress& progress) {
     const Contender& contender = *contenders_[c];
     progress.say(report_.name + ": building " + contender.name());
     const double seconds = elapsed_by([&] { built_.push_back(contender.build(mesh_)); }).real;
+    first_build_seconds_.push_back(seconds);
     ContenderReport report;
     report.name = contender.name();
     report.kind = contender.kind();
-    report.is_brute_force = contender.is_brute_force();
-    if (c < plan_.structures.size()) {
-      report.accelerator = plan_.structures[c].accelerator;
-      report.options = plan_.structures[c].settings.options;
+    report.is_asked_fewer = is_asked_fewer(c);
+    if (const AcceleratorSpec* spec = contender.spec()) {
+      report.accelerator = spec->accelerator;
+      report.options = spec->settings.options;
     }
     report.bytes_when_built = built_[c]->bytes().total();
     if (plan_.has(Workload::build)) {
@@ -125,15 +129,13 @@ template <class Answer>
 void Stage::verify(Workload workload, const Built& reference, const Built& oracle, Progress& progress) {
   const std::size_t w = index_of(workload);
   const std::span<const Ray<float>> rays = rays_[w];
-  const auto affordable = [&](double tests) {
-    return static_cast<std::size_t>(std::max(16.0, tests / std::max(1u, mesh_->size())));
+  const auto affordable = [](double tests, double tests_per_ray) {
+    return static_cast<std::size_t>(std::max(16.0, tests / std::max(1.0, tests_per_ray)));
   };
-  const std::vector<std::size_t> few = pick(rays.size(), affordable(plan_.brute_force_tests));
-  for (const std::size_t i : few) few_rays_[w].push_back(rays[i]);
 
   const std::string place = report_.name + ' ' + std::string(workload_infos[w].name);
   progress.say("verifying " + place + ": " + std::string(oracle_name));
-  const std::vector<std::size_t> sample = pick(rays.size(), affordable(plan_.oracle_tests));
+  const std::vector<std::size_t> sample = pick(rays.size(), affordable(plan_.oracle_tests, mesh_->size()));
   report_.sampled_rays = std::max(report_.sampled_rays, sample.size());
   const Checks<Answer> checks(place, *mesh_, rays, reference, oracle, sample);
 
@@ -142,6 +144,9 @@ void Stage::verify(Workload workload, const Built& reference, const Built& oracl
     const Contender& contender = *contenders_[c];
     progress.say("verifying " + place + ": " + contender.name());
     Measurement& own = report_.contenders[c].at[w].emplace();
+    std::vector<std::size_t> few;
+    if (is_asked_fewer(c)) few = pick(rays.size(), affordable(plan_.few_tests, contender.tests_per_ray(mesh_->size())));
+    for (const std::size_t i : few) few_rays_[c][w].push_back(rays[i]);
     const std::span<const Ray<float>> own_rays = rays_of(c, workload);
     own.rays = own_rays.size();
     own.hit_share = checks.hit_share();
@@ -150,17 +155,15 @@ void Stage::verify(Workload workload, const Built& reference, const Built& oracl
     own.first_pass_seconds = own.next_pass_seconds = first.real;
     double pass_seconds = first.own;
     if (contender.kind() == Contender::Kind::peer) {
-      own.disagreeing_rays = checks.disagreeing(answers);
+      own.disagreeing_rays = checks.disagreeing(answers, few);
     } else {
-      const std::span<const std::size_t> indices =
-          contender.is_brute_force() ? std::span(few) : std::span(few).first(0);
-      checks.require_right(contender.name(), answers, indices);
+      checks.require_right(contender.name(), answers, few);
       counted_answers.assign(own_rays.size(), Answer{});
       const Elapsed next =
           elapsed_by([&] { own.stats = count(*built_[c], own_rays, std::span<Answer>(counted_answers)); });
       own.next_pass_seconds = next.real;
       pass_seconds = std::min(pass_seconds, next.own);
-      checks.require_right(contender.name() + " (while counting)", counted_answers, indices);
+      checks.require_right(contender.name() + " (while counting)", counted_answers, few);
     }
     if (own.rays > 0) {
       schedule(own, pass_seconds, plan_.slot_seconds, plan_.ray_seconds, plan_.rounds, fewest_ray_rounds);
@@ -169,7 +172,7 @@ void Stage::verify(Workload workload, const Built& reference, const Built& oracl
 }
 
 std::span<const Ray<float>> Stage::rays_of(std::size_t c, Workload workload) const {
-  return (contenders_[c]->is_brute_force() ? few_rays_ : rays_)[index_of(workload)];
+  return (is_asked_fewer(c) ? few_rays_[c] : rays_)[index_of(workload)];
 }
 
 void Stage::trace(std::size_t c, Workload workload) {

@@ -31,6 +31,9 @@ class Stage {
   SceneReport& report() { return report_; }
   const SceneReport& report() const { return report_; }
 
+  /// How long the first build of each contender took, by the clock on the wall.
+  const std::vector<double>& first_build_seconds() const { return first_build_seconds_; }
+
   /// Builds contender `c` once more.
   std::unique_ptr<Built> build(std::size_t c) const { return contenders_[c]->build(mesh_); }
   /// Asks contender `c` its rays of the workload once. All write their answers to one place, so that none finds it
@@ -41,14 +44,16 @@ class Stage {
   void build_all(Progress& progress);
   template <class Answer>
   void verify(Workload workload, const Built& reference, const Built& oracle, Progress& progress);
+  bool is_asked_fewer(std::size_t c) const { return contenders_[c]->tests_per_ray(mesh_->size()) > 0; }
   std::span<const Ray<float>> rays_of(std::size_t c, Workload workload) const;
 
   const Plan& plan_;
   std::shared_ptr<const TriangleMesh> mesh_;
   const Contenders& contenders_;
   std::vector<std::unique_ptr<Built>> built_;
+  std::vector<double> first_build_seconds_;
   RaySets rays_;
-  RaySets few_rays_;  ///< Those of them that brute force is asked.
+  std::vector<RaySets> few_rays_;  ///< By contender: those of them that one is asked that is not asked all.
   std::vector<Hit<float>> hits_;
   std::vector<std::uint8_t> is_hit_;
   SceneReport report_;

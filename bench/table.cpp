@@ -5,76 +5,17 @@
 #include <cstdio>
 #include <vector>
 
+#include "bench/text_table.h"
+
 namespace sightline::bench {
 namespace {
 
 std::string name_of(Workload workload) { return std::string(workload_infos[index_of(workload)].name); }
 
-std::string plural(std::size_t count, const std::string& word) {
-  return count_text(count) + ' ' + word + (count == 1 ? "" : "s");
-}
-
 std::string percent_text(double share) { return number_text(100 * share, 2) + " %"; }
 
 std::string thread_text(int threads) {
   return threads == 0 ? "all threads" : plural(static_cast<std::size_t>(threads), "thread");
-}
-
-std::string joined(const std::vector<std::string>& items) {
-  std::string text;
-  for (const std::string& item : items) text += (text.empty() ? "" : ", ") + item;
-  return text;
-}
-
-/// Columns of text, the first to the left, the others to the right, under two lines of headings. A heading that is
-/// the same as the one before it stands once, over the columns that share it.
-class TextTable {
- public:
-  void add_column(std::string group, std::string heading) {
-    groups_.push_back(std::move(group));
-    rows_[0].push_back(std::move(heading));
-  }
-  void add_row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-
-  std::string text() const {
-    std::vector<std::size_t> widths(groups_.size(), 0);
-    for (const auto& row : rows_) {
-      for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
-    }
-    std::string out, line;
-    for (std::size_t c = 0; c < groups_.size();) {
-      std::size_t width = widths[c], end = c + 1;
-      for (; end < groups_.size() && groups_[end] == groups_[c]; ++end) width += gap + widths[end];
-      // A group's heading may be wider than its columns: then the first of them grows.
-      if (groups_[c].size() > width) widths[c] += groups_[c].size() - width, width = groups_[c].size();
-      line += (c == 0 ? "" : std::string(gap, ' ')) + std::string(width - groups_[c].size(), ' ') + groups_[c];
-      c = end;
-    }
-    out += trimmed(line);
-    for (const auto& row : rows_) {
-      line.clear();
-      for (std::size_t c = 0; c < row.size(); ++c) {
-        const std::string padding(widths[c] - row[c].size(), ' ');
-        line += c == 0 ? row[c] + padding : std::string(gap, ' ') + padding + row[c];
-      }
-      out += trimmed(line);
-    }
-    return out;
-  }
-
- private:
-  static constexpr std::size_t gap = 2;
-  static std::string trimmed(std::string line) {
-    line.erase(line.find_last_not_of(' ') + 1);
-    return line + '\n';
-  }
-
-  std::vector<std::string> groups_;
-  std::vector<std::vector<std::string>> rows_{1};
-};
-
-Estimate scaled(const Estimate& value, double factor) {
-  return {factor * value.median, factor * value.low, factor * value.high, value.confidence};
 }
 
 std::vector<Workload> ray_workloads(const Plan& plan) {
@@ -163,7 +104,7 @@ std::string rounds_note(const SceneReport& scene, const Plan& plan) {
       if (own.rounds < plan.rounds && own.rays > 0) {
         fewer.push_back(contender.name + ' ' + name_of(w) + ' ' + std::to_string(own.rounds));
       }
-      if (!own.ratio || w == Workload::build || contender.is_brute_force || own.rounds < 2) continue;
+      if (!own.ratio || w == Workload::build || contender.is_asked_fewer || own.rounds < 2) continue;
       const auto width = [](const Estimate& e) { return (e.high - e.low) / e.median; };
       if (!widest || width(*own.ratio) > width(*widest)) {
         widest = &*own.ratio;
@@ -185,14 +126,13 @@ std::string rounds_note(const SceneReport& scene, const Plan& plan) {
 std::string oddities_note(const SceneReport& scene, const Plan& plan) {
   std::string text;
   for (const ContenderReport& contender : scene.contenders) {
-    if (contender.is_brute_force) {
-      std::size_t most = 0, all = 0;
-      for (const Workload w : ray_workloads(plan)) {
-        most = std::max(most, contender.at[index_of(w)]->rays);
-        all = std::max(all, rays_at(scene, w));
-      }
-      if (most < all)
-        text += contender.name + " is timed with " + count_text(most) + " rays of each kind, picked at random.\n";
+    std::size_t most = 0, all = 0;
+    for (const Workload w : ray_workloads(plan)) {
+      most = std::max(most, contender.at[index_of(w)]->rays);
+      all = std::max(all, rays_at(scene, w));
+    }
+    if (contender.is_asked_fewer && most < all) {
+      text += contender.name + " is timed with " + count_text(most) + " rays of each kind, picked at random.\n";
     }
     if (contender.is_lazy() && !ray_workloads(plan).empty()) {
       const Measurement& own = *contender.at[index_of(ray_workloads(plan).front())];

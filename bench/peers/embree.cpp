@@ -67,7 +67,7 @@ class BuiltEmbree final : public Built {
   BuiltEmbree(std::shared_ptr<Device> device, EmbreeMode mode, const TriangleMesh& mesh)
       : device_(std::move(device)), bytes_before_(device_->bytes()), scene_(rtcNewScene(device_->get())) {
     if (mode == EmbreeMode::robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
+    rtcSetSceneBuildQuality(scene_, mode == EmbreeMode::high ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM);
     const RTCGeometry geometry = rtcNewGeometry(device_->get(), RTC_GEOMETRY_TYPE_TRIANGLE);
     // Embree reads 16 bytes of every vertex, so the mesh's own array ends too early for it.
     positions_.reserve(mesh.positions().size() + 2);
@@ -125,7 +125,17 @@ class Embree final : public Contender {
  public:
   Embree(EmbreeMode mode, int threads) : mode_(mode), device_(std::make_shared<Device>(threads)) {}
 
-  std::string name() const override { return mode_ == EmbreeMode::robust ? "embree-robust" : "embree"; }
+  std::string name() const override {
+    switch (mode_) {
+      case EmbreeMode::high:
+        return "embree-high";
+      case EmbreeMode::robust:
+        return "embree-robust";
+      case EmbreeMode::standard:
+        break;
+    }
+    return "embree";
+  }
   Kind kind() const override { return Kind::peer; }
   std::unique_ptr<Built> build(const std::shared_ptr<const TriangleMesh>& mesh) const override {
     return std::make_unique<BuiltEmbree>(device_, mode_, *mesh);
