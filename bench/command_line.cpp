@@ -180,14 +180,20 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   for (auto scene = plan.scenes.begin(); scene != plan.scenes.end(); ++scene) {
     if (std::find(plan.scenes.begin(), scene, *scene) != scene) throw UsageError("--scene names " + *scene + " twice");
   }
-  if (plan.scenes.empty()) plan.rays = short_run_rays;
+  if (plan.scenes.empty()) {
+    plan.rays = short_run_rays;
+    plan.slow_scene = "sticks";
+  }
   if (is_quick) make_quick(plan);
   if (!plan.growth.empty()) make_growing(plan, is_quick);
   if (limit_option->count() > 0) {
     if (plan.growth.empty()) throw UsageError("--growth-to goes with --growth");
     plan.growth_limit = growth_limit;
   }
-  if (rays_option->count() > 0) plan.rays = rays;
+  if (rays_option->count() > 0) {
+    plan.rays = rays;
+    plan.slow_scene.clear();
+  }
   if (rounds_option->count() > 0) plan.rounds = rounds;
   plan.data_dir = data_dir;
   if (!peers.empty()) plan.peers = parse_peers(peers);

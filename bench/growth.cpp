@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "bench/peers/peers.h"
 #include "bench/rounds.h"
@@ -28,9 +29,10 @@ std::optional<Estimate> seconds_each(const ContenderReport& contender, Workload 
 }
 
 std::string exponent_text(const PowerFit& fit) {
-  if (!fit.standard_error) return number_text(fit.exponent, 2);
-  const double e = *fit.standard_error;
-  return measured_text({fit.exponent, fit.exponent - e, fit.exponent + e, 0}) + " +- " + number_text(e, 1);
+  char text[64];
+  std::snprintf(text, sizeof text, fit.standard_error ? "%.2f +- %.2f" : "%.2f", fit.exponent,
+                fit.standard_error.value_or(0));
+  return text;
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ struct Plan {
   std::vector<std::string> peers{"embree", "embree-robust"};  ///< Names of this build's peers, each once.
   std::vector<Workload> workloads{Workload::build, Workload::primary, Workload::bounce, Workload::shadow};
   std::size_t rays = 100'000;  ///< Of each workload.
+  std::string slow_scene;      ///< One that is asked a tenth of them, because most structures collapse there; or empty.
   int rounds = 9;
   int threads = 0;  ///< To build with; 0 for as many as there are.
   std::filesystem::path data_dir;
@@ -49,6 +50,8 @@ struct Plan {
   std::string growth;  ///< A family of scenes, to be measured at growing sizes instead of `scenes`; or empty.
   std::size_t growth_limit = 300'000;  ///< Triangles of the largest, about.
   double growth_build_seconds = 4;     ///< One that would build the next size for longer is left out from there on.
+
+  std::size_t rays_of(const std::string& scene) const { return scene == slow_scene ? (rays + 9) / 10 : rays; }
 
   bool has(Workload workload) const {
     for (const Workload w : workloads) {

@@ -79,7 +79,7 @@ Stage::Stage(const Plan& plan, const std::string& scene, std::shared_ptr<const T
   settings.threads = plan_.threads;
   const auto reference = make_structure({"", std::string(reference_name()), settings})->build(mesh_);
   const auto oracle = make_structure({"", std::string(oracle_name), settings})->build(mesh_);
-  rays_ = make_rays(*mesh_, plan_.rays, [&](auto rays, auto hits) { reference->closest_hits(rays, hits); });
+  rays_ = make_rays(*mesh_, plan_.rays_of(scene), [&](auto rays, auto hits) { reference->closest_hits(rays, hits); });
   std::size_t most = 0;
   for (const auto& rays : rays_) most = std::max(most, rays.size());
   hits_.resize(most);

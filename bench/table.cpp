@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <vector>
 
 #include "bench/text_table.h"
@@ -77,6 +78,7 @@ std::string rays_line(const SceneReport& scene, const Plan& plan) {
 std::string verification_note(const SceneReport& scene, const Plan& plan) {
   std::string text = "Hits: ours have the same bits on all rays, and brute force's on " +
                      count_text(scene.sampled_rays) + " of each kind.\n";
+  std::vector<std::string> agreeing;
   for (const ContenderReport& contender : scene.contenders) {
     if (contender.kind != Contender::Kind::peer || ray_workloads(plan).empty()) continue;
     std::vector<std::string> parts;
@@ -86,9 +88,13 @@ std::string verification_note(const SceneReport& scene, const Plan& plan) {
       const double share = static_cast<double>(own.disagreeing_rays) / static_cast<double>(own.rays);
       parts.push_back(count_text(own.disagreeing_rays) + ' ' + name_of(w) + " (" + percent_text(share) + ')');
     }
-    text += "      " + contender.name +
-            (parts.empty() ? " agrees on all rays, within its rounding.\n"
-                           : " finds others, beyond its rounding: " + joined(parts) + ".\n");
+    if (parts.empty())
+      agreeing.push_back(contender.name);
+    else
+      text += "      " + contender.name + " finds others, beyond its rounding: " + joined(parts) + ".\n";
+  }
+  if (!agreeing.empty()) {
+    text += "      " + joined(agreeing) + (agreeing.size() == 1 ? " agrees" : " agree") + ", within the rounding.\n";
   }
   return text;
 }
@@ -123,17 +129,27 @@ std::string rounds_note(const SceneReport& scene, const Plan& plan) {
   return text;
 }
 
-std::string oddities_note(const SceneReport& scene, const Plan& plan) {
-  std::string text;
+/// Contenders that were not asked all rays, those with the same number together.
+std::string fewer_rays_note(const SceneReport& scene, const Plan& plan) {
+  std::size_t all = 0;
+  for (const Workload w : ray_workloads(plan)) all = std::max(all, rays_at(scene, w));
+  std::map<std::size_t, std::vector<std::string>> names;
   for (const ContenderReport& contender : scene.contenders) {
-    std::size_t most = 0, all = 0;
-    for (const Workload w : ray_workloads(plan)) {
-      most = std::max(most, contender.at[index_of(w)]->rays);
-      all = std::max(all, rays_at(scene, w));
-    }
-    if (contender.is_asked_fewer && most < all) {
-      text += contender.name + " is timed with " + count_text(most) + " rays of each kind, picked at random.\n";
-    }
+    std::size_t most = 0;
+    for (const Workload w : ray_workloads(plan)) most = std::max(most, contender.at[index_of(w)]->rays);
+    if (contender.is_asked_fewer && most < all) names[most].push_back(contender.name);
+  }
+  std::string text;
+  for (const auto& [rays, some] : names) {
+    text += joined(some) + (some.size() == 1 ? " is" : " are") + " timed with " + count_text(rays) +
+            " rays of each kind, picked at random.\n";
+  }
+  return text;
+}
+
+std::string oddities_note(const SceneReport& scene, const Plan& plan) {
+  std::string text = fewer_rays_note(scene, plan);
+  for (const ContenderReport& contender : scene.contenders) {
     if (contender.is_lazy() && !ray_workloads(plan).empty()) {
       const Measurement& own = *contender.at[index_of(ray_workloads(plan).front())];
       const double extra = own.first_pass_seconds - own.next_pass_seconds;
