@@ -4,6 +4,8 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace sightline::bench {
@@ -50,6 +52,34 @@ TEST(Estimate, IntervalHoldsTheMedianAndIsMadeOfSamples) {
     RC_ASSERT(std::count(samples.begin(), samples.end(), e.low) > 0);
     RC_ASSERT(std::count(samples.begin(), samples.end(), e.high) > 0);
     RC_ASSERT(samples.size() < 6 || e.confidence >= 0.95);
+  }));
+}
+
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Estimate, OfPresentLeavesOutWhatIsMissing) {
+  EXPECT_FALSE(estimate_of_present({}));
+  EXPECT_FALSE(estimate_of_present({absent, absent}));
+  EXPECT_EQ(estimate_of_present({3, absent, 1, 2})->median, 2);
+}
+
+TEST(GeometricMeans, AreTakenIndexByIndex) {
+  EXPECT_TRUE(geometric_means({}).empty());
+  const auto means = geometric_means({{1, 4, absent, 2}, {4, 9, 5}});
+  ASSERT_EQ(means.size(), 4u);
+  EXPECT_DOUBLE_EQ(means[0], 2);
+  EXPECT_DOUBLE_EQ(means[1], 6);
+  EXPECT_TRUE(std::isnan(means[2])) << "missing in one series";
+  EXPECT_TRUE(std::isnan(means[3])) << "past the end of one";
+}
+
+/// A ratio and its inverse have inverse means, which arithmetic ones have not.
+TEST(GeometricMeans, DoNotDependOnWhichIsTheReference) {
+  EXPECT_TRUE(rc::check([] {
+    const auto bits = *rc::gen::nonEmpty(rc::gen::container<std::vector<int>>(rc::gen::inRange(1, 1000)));
+    std::vector<std::vector<double>> series, inverse;
+    for (const int x : bits) series.push_back({0.01 * x}), inverse.push_back({1 / (0.01 * x)});
+    RC_ASSERT(std::fabs(geometric_means(series)[0] * geometric_means(inverse)[0] - 1) < 1e-9);
   }));
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/json.h"
+#include "bench/summary.h"
 #include "bench/table.h"
 
 namespace sightline::bench {
@@ -87,6 +88,39 @@ TEST(Report, JsonHoldsEverything) {
   EXPECT_EQ(primary["round_seconds"], nlohmann::json::array({2, 8, nullptr}));
   EXPECT_EQ(json["scenes"][0]["contenders"][1]["kind"], "peer");
   EXPECT_TRUE(json["scenes"][0]["contenders"][1]["workloads"]["primary"]["nodes_per_ray"].is_null());
+}
+
+/// Ratios 1/2, 1/4 on one scene and 2, 9 on the other: geometric means 1, 3/2.
+TEST(Report, SummaryIsTheGeometricMeanRoundByRound) {
+  Example one, other;
+  other.scene.contenders[0] = contender("kd-tree", Contender::Kind::ours, {1, 1, 1});
+  other.scene.contenders[0].bytes.structure = 1200;
+  other.scene.contenders[1] = contender("embree", Contender::Kind::peer, {2, 9, 1});
+  const std::vector<SceneReport> scenes{one.scene, other.scene};
+  const auto lines = summary_of(scenes);
+  ASSERT_EQ(lines.size(), 2u);
+  const auto& ratio = lines[0].ratio[index_of(Workload::primary)];
+  ASSERT_TRUE(ratio);
+  EXPECT_DOUBLE_EQ(ratio->low, 1);
+  EXPECT_DOUBLE_EQ(ratio->high, 1.5) << "the third round is missing on one scene";
+  EXPECT_DOUBLE_EQ(ratio->median, 1.25);
+  EXPECT_DOUBLE_EQ(*lines[0].bytes_per_triangle, 60) << "of 30 and 120";
+  EXPECT_FALSE(lines[0].ratio[index_of(Workload::build)]);
+  EXPECT_DOUBLE_EQ(lines[1].ratio[index_of(Workload::primary)]->median, 1);
+
+  EXPECT_NE(summary_text(scenes, one.plan).find("all 2 scenes"), std::string::npos);
+  EXPECT_TRUE(summary_text(std::span(scenes).first(1), one.plan).empty());
+  const auto json = nlohmann::json::parse(json_text({Machine{}, one.plan, scenes}));
+  EXPECT_EQ(json["summary"][0]["name"], "kd-tree");
+  EXPECT_DOUBLE_EQ(json["summary"][0]["ratio_to_embree"]["primary"]["median"], 1.25);
+}
+
+TEST(Report, SummaryNeedsThePeerOnEveryScene) {
+  Example one, other;
+  other.scene.contenders.pop_back();
+  const auto lines = summary_of(std::vector<SceneReport>{one.scene, other.scene});
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_FALSE(lines[0].ratio[index_of(Workload::primary)]);
 }
 
 TEST(Report, TableIsAligned) {

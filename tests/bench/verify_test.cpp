@@ -165,6 +165,8 @@ TEST_F(Refusal, OfAnyHitsAndOfSelectedRays) {
 TEST_F(Refusal, PeersAreCountedInstead) {
   const Checks<std::uint8_t> checks("scene shadow", mesh_, rays_, truth_, truth_, {});
   EXPECT_EQ(checks.disagreeing(std::vector<std::uint8_t>{1, 0, 1, 1}), 2u);
+  const std::vector<std::size_t> some{2, 3};
+  EXPECT_EQ(checks.disagreeing(std::vector<std::uint8_t>{0, 0}, some), 1u);
 }
 
 }  // namespace

@@ -28,6 +28,16 @@ refuses 2 no-such-work "$bench" --workload no-such-work
 refuses 2 rays "$bench" --rays -1
 refuses 2 rays "$bench" --rays 1e99
 refuses 2 rounds "$bench" --rounds 0
+refuses 2 'unknown peer' "$bench" --peer no-such-peer
+refuses 2 cgal "$bench" --peer no-such-peer # the message lists what there is
+refuses 2 'stands alone' "$bench" --peer none,embree
+refuses 2 terrain "$bench" --growth teapot
+refuses 2 growth-to "$bench" --growth soup --growth-to 10
+refuses 2 growth-to "$bench" --growth soup --growth-to 1e9
+refuses 2 growth-to "$bench" --growth soup --growth-to 20000000
+refuses 2 'goes with' "$bench" --growth-to 5000
+refuses 2 scene "$bench" --growth soup --scene teapot
+refuses 2 'after --' "$bench" --growth soup -- --benchmark_filter=x
 refuses 2 stray "$bench" stray
 refuses 2 soup "$bench" --scene soup:0
 refuses 2 soup "$bench" --scene soup:many
@@ -50,6 +60,26 @@ expect_prints kd-tree:max_leaf_size=16,max_depth=5
 for option in '"max_depth": *"5"' '"max_leaf_size": *"16"' '"lazy": *"true"'; do
   check "$option in the JSON file" grep -q -e "$option" "$work/out.json"
 done
+run "$bench" "${quick[@]}" --accel kd-tree --peer all --json out.json
+expect_exit 0
+for peer in embree embree-high embree-robust; do expect_prints "$peer "; done
+check 'no summary of one scene' grep -q '"summary": null' "$work/out.json"
+run "$bench" "${quick[@]}" --accel kd-tree --peer none --workload build
+expect_exit 0
+check 'no peer' bash -c "! grep -q '^embree' '$scratch/stdout'"
+run "$bench" "${quick[@]}" --scene soup:300 --accel kd-tree --json out.json
+expect_exit 0
+expect_prints 'all 2 scenes: soup:200, soup:300'
+expect_prints interval
+check 'a summary in the JSON file' grep -q '"summary": \[' "$work/out.json"
+run "$bench" --growth terrain --growth-to 3000 --quick --rays 300 --accel kd-tree,brute-force --json out.json
+expect_exit 0
+for word in 'growth of terrain' exponent brute-force embree; do expect_prints "$word"; done
+check 'exponents in the JSON file' grep -q '"exponent"' "$work/out.json"
+run "$bench" --growth soup --growth-to 3000 --quick --rays 300 --accel kd-tree --self-check kd-tree --json out.json
+expect_exit 1
+expect_one_line
+expect_no_file
 run "$bench" "${quick[@]}" --accel kd-tree --self-check kd-tree --json out.json
 expect_exit 1
 expect_one_line
