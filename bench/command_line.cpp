@@ -183,6 +183,9 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   if (plan.scenes.empty()) {
     plan.rays = short_run_rays;
     plan.slow_scene = "sticks";
+    plan.slot_seconds = 0.03;
+    plan.ray_seconds = 2;
+    plan.build_seconds = 3;
   }
   if (is_quick) make_quick(plan);
   if (!plan.growth.empty()) make_growing(plan, is_quick);

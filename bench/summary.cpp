@@ -63,7 +63,7 @@ std::string summary_text(std::span<const SceneReport> scenes, const Plan& plan) 
     table.add_column(name, "xEmbree");
     table.add_column(name, "interval");
   }
-  double confidence = 1;
+  double least = 1, most = 0;  // confidence
   for (const SummaryLine& line : summary_of(scenes)) {
     std::vector<std::string> row{line.name, line.bytes_per_triangle ? number_text(*line.bytes_per_triangle) : "-"};
     for (const Workload w : plan.workloads) {
@@ -71,17 +71,20 @@ std::string summary_text(std::span<const SceneReport> scenes, const Plan& plan) 
       row.push_back(ratio ? measured_text(*ratio) + 'x' : "-");
       const bool is_interval = ratio && ratio->low < ratio->high;
       row.push_back(is_interval ? number_text(ratio->low, 2) + " to " + number_text(ratio->high, 2) : "");
-      if (is_interval) confidence = std::min(confidence, ratio->confidence);
+      if (!is_interval) continue;
+      least = std::min(least, ratio->confidence);
+      most = std::max(most, ratio->confidence);
     }
     table.add_row(std::move(row));
   }
   std::vector<std::string> names;
   for (const SceneReport& scene : scenes) names.push_back(scene.name);
-  return "all " + plural(scenes.size(), "scene") + ": " + joined(names) + "\n\n" + table.text() +
-         "\nGeometric means over the scenes: of memory, and of speed over Embree's (building: of its time over the "
-         "structure's).\nRound by round the mean of all scenes, then the median of the rounds; intervals hold it "
-         "with " +
-         number_text(100 * confidence, 2) + " % or more.\n";
+  std::string text = "all " + plural(scenes.size(), "scene") + ": " + joined(names) + "\n\n" + table.text() +
+                     "\nGeometric means over the scenes: of memory, and of speed over Embree's (building: of its time "
+                     "over the structure's).\nRound by round the mean of all scenes, then the median of the rounds";
+  if (most > 0) text += "; intervals hold it with " + number_text(100 * most, 2) + " %";
+  if (least < most) text += ", down to " + number_text(100 * least, 2) + " % where rounds were few";
+  return text + ".\n";
 }
 
 }  // namespace sightline::bench
