@@ -24,7 +24,8 @@ class UniformGrid {
  public:
   static constexpr std::string_view name = "grid";
   static constexpr std::string_view description =
-      "equal cells, crowded ones cut again, walked from plane to plane; Amanatides and Woo 1987, Jevans and Wyvill 1989";
+      "equal cells, crowded ones cut again, walked from plane to plane; Amanatides and Woo 1987, Jevans and Wyvill "
+      "1989";
   static constexpr std::size_t node_bytes = sizeof(GridCell);
   using Options = UniformGridOptions;
 
@@ -61,9 +62,8 @@ class UniformGrid {
     if (parts_.order.empty()) return;
     const GridRegion top = parts_.top();
     see(Cell{parts_.box(top), 0, false, {}, static_cast<std::uint32_t>(parts_.cells.size())});
-    top.for_each_place([&](const std::array<int, 3>& place) {
-      see_cell(see, 1, top.cell(place), parts_.top_cell(place));
-    });
+    top.for_each_place(
+        [&](const std::array<int, 3>& place) { see_cell(see, 1, top.cell(place), parts_.top_cell(place)); });
   }
 
   /// See for_each_leaf in accelerator.h.

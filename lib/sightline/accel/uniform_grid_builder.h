@@ -7,8 +7,8 @@
 #include <atomic>
 #include <limits>
 #include <span>
-#include <utility>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "sightline/accel/grid_resolution.h"
@@ -108,9 +108,8 @@ class UniformGridBuilder {
     for_each_entry([](const Entry&, auto start) { start.fetch_add(1, std::memory_order_relaxed); });
     for (std::size_t cell = 1; cell <= cells; ++cell) starts_[cell] += starts_[cell - 1];
     ids_.resize(starts_[cells]);
-    for_each_entry([&](const Entry& entry, auto start) {
-      ids_[start.fetch_sub(1, std::memory_order_relaxed) - 1] = entry.id;
-    });
+    for_each_entry(
+        [&](const Entry& entry, auto start) { ids_[start.fetch_sub(1, std::memory_order_relaxed) - 1] = entry.id; });
     chunks_ = {};
   }
 
@@ -153,8 +152,8 @@ class UniformGridBuilder {
     std::vector<Place> places;
     std::uint64_t cells = grid_.cells.size(), blocks = 0, order = 0;
     for (const DividedCells& part : parts) {
-      places.push_back({static_cast<std::uint32_t>(cells), static_cast<std::uint32_t>(blocks),
-                        static_cast<std::uint32_t>(order)});
+      places.push_back(
+          {static_cast<std::uint32_t>(cells), static_cast<std::uint32_t>(blocks), static_cast<std::uint32_t>(order)});
       cells += part.cells.size(), blocks += part.blocks.size(), order += part.order.size();
     }
     if (std::max({cells, blocks, order}) >= std::numeric_limits<std::uint32_t>::max()) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sightline/accel/large_pages.h"
 #include "sightline/accel/probe.h"
 #include "sightline/math/aabb.h"
 #include "sightline/math/rounding.h"
@@ -34,6 +35,7 @@ struct GridBlock {
   std::array<std::uint8_t, 3> shifts{};  ///< The cell has 2^shift layers along the axis.
 
   static constexpr int bit(int x, int y, int z) { return x + side * (y + side * z); }
+  static constexpr std::array<int, 3> place_of(int bit) { return {bit % side, bit / side % side, bit / (side * side)}; }
   /// Of the cell that has the number `place` among all cells of its size.
   int bit_of(const std::array<int, 3>& place) const {
     const auto local = [&](int axis) { return place[axis] & ((1 << shifts[axis]) - 1); };
@@ -76,14 +78,14 @@ struct GridRegion {
 
 /// A built grid: the cells of the top level, x running fastest, and after them those of the blocks.
 struct GridParts {
-  Aabb bounds;  ///< Of the primitives.
+  Aabb bounds;    ///< Of the primitives.
   float pad = 0;  ///< Cells hold every primitive that comes so near.
   Vec3f origin{0};
   Vec3f size{0};                    ///< Of a cell of the top level.
   Vec3f inverse_size{0};            ///< 1 / size, rounded.
   std::array<int, 3> resolution{};  ///< Of the top level.
-  std::vector<GridCell> cells;
-  std::vector<GridBlock> blocks;
+  LargeVector<GridCell> cells;
+  LargeVector<GridBlock> blocks;
   std::vector<std::uint32_t> order;
 
   GridRegion top() const { return {{0, 0, 0}, {resolution[0] - 1, resolution[1] - 1, resolution[2] - 1}, {0, 0, 0}}; }

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdlib>
+#include <cmath>
 #include <deque>
-#include <limits>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -15,18 +16,17 @@
 
 namespace sightline {
 
-inline float envf(const char* n, float d) { const char* s = getenv(n); return s ? atof(s) : d; }
-
 struct UniformGridOptions {
-  float density = 0.0625f;  ///< Cells of the top level wanted for each primitive.
-  int max_copies = 128;  ///< Leaves that hold a primitive, on average; cells that would need more are not divided.
+  float density = 0.125f;  ///< Cells of the top level wanted for each primitive.
+  int max_copies = 16;     ///< Leaves that hold a primitive, on average; cells that need more are not divided.
   Quality quality = Quality::balanced;
 
   static constexpr std::array<OptionField<UniformGridOptions>, 3> fields() {
     return {{{"density", &UniformGridOptions::density, 0x1p-10, 64, "cells of the top level wanted for each primitive"},
              {"max_copies", &UniformGridOptions::max_copies, 1, 1024,
-              "most leaves that hold a primitive, on average; cells that would need more are not divided"},
-             {"quality", &UniformGridOptions::quality, 0, 2, "fast: cells hold what their bounds meet"}}};
+              "most leaves that hold a primitive, on average; cells that need more are not divided"},
+             {"quality", &UniformGridOptions::quality, 0, 2,
+              "fast: a cell holds what has bounds that meet it; else only what meets it itself"}}};
   }
 };
 
@@ -37,7 +37,8 @@ struct DividedCells {
   std::vector<std::uint32_t> order;
 };
 
-/// Divides cells. Coordinates are relative to the grid's origin; cells count as enlarged by `reach` on every side.
+/// Finds the cells that primitives meet and divides those that hold many. Coordinates are relative to the grid's
+/// origin; cells count as enlarged by `reach` on every side (G2).
 class GridDivider {
  public:
   GridDivider(const Primitives& primitives, Quality quality, const Vec3d& origin, double reach)
@@ -46,190 +47,202 @@ class GridDivider {
   /// Calls see(place) for every cell of the top level that the primitive meets.
   template <class See>
   void for_each_cell(std::uint32_t id, const Vec3d& size, const std::array<int, 3>& counts, See&& see) const {
-    const auto [first, last] = layers_met(id, Vec3d(0), size, counts);
-    std::array<int, 3> tile;
-    for (tile[2] = first[2]; tile[2] <= last[2]; tile[2] += GridBlock::side) {
-      for (tile[1] = first[1]; tile[1] <= last[1]; tile[1] += GridBlock::side) {
-        for (tile[0] = first[0]; tile[0] <= last[0]; tile[0] += GridBlock::side) {
-          const Vec3d lo = Vec3d(tile[0], tile[1], tile[2]) * size;
-          std::array<int, 3> rest;
-          for (int axis = 0; axis < 3; ++axis) rest[axis] = std::min(last[axis] - tile[axis] + 1, GridBlock::side);
-          for (std::uint64_t met = cells_met(id, lo, size, rest); met != 0; met &= met - 1) {
-            const int bit = std::countr_zero(met);
-            see(std::array<int, 3>{tile[0] + bit % 4, tile[1] + bit / 4 % 4, tile[2] + bit / 16});
-          }
+    const Layers met = layers_met(primitives_.bounds(id), Lattice(Vec3d(0), size, counts));
+    if (met.first == met.last) return see(met.first);
+    std::array<int, 3> tile, rest;
+    for (tile[2] = met.first[2]; tile[2] <= met.last[2]; tile[2] += GridBlock::side) {
+      for (tile[1] = met.first[1]; tile[1] <= met.last[1]; tile[1] += GridBlock::side) {
+        for (tile[0] = met.first[0]; tile[0] <= met.last[0]; tile[0] += GridBlock::side) {
+          for (int i = 0; i < 3; ++i) rest[i] = std::min(met.last[i] - tile[i] + 1, GridBlock::side);
+          for_each_bit(cells_met(id, Lattice(Vec3d(tile[0], tile[1], tile[2]) * size, size, rest)), [&](int bit) {
+            const std::array<int, 3> local = GridBlock::place_of(bit);
+            see(std::array<int, 3>{tile[0] + local[0], tile[1] + local[1], tile[2] + local[2]});
+          });
         }
       }
     }
   }
 
-  /// The cell with the corner `lo`, which holds `ids`, as a leaf or divided, with no more than `budget` references.
+  /// Divides the cell with the corner `lo`, which holds `ids`, where that pays, into no more than `budget` references.
   GridCell divide(std::span<const std::uint32_t> ids, const Vec3d& lo, const Vec3d& size, std::uint64_t budget,
                   DividedCells& out, int depth = 0) {
-    const auto as_leaf = [&]() -> GridCell {
-      const auto first = static_cast<std::uint32_t>(out.order.size());
-      out.order.insert(out.order.end(), ids.begin(), ids.end());
-      return {first, static_cast<std::uint32_t>(ids.size())};
-    };
-    if (ids.size() <= 2 || depth == max_depth) return as_leaf();
-    if (levels_.size() <= static_cast<std::size_t>(depth)) levels_.emplace_back();
-    Level& level = levels_[depth];
+    if (ids.size() < least_divided || depth == max_depth) return leaf_of(ids, out);
+    if (levels_.size() == static_cast<std::size_t>(depth)) levels_.emplace_back();
+    Level& level = levels_[static_cast<std::size_t>(depth)];
 
     std::array<int, 3> shifts;
-    Vec3d finest = size;
     for (int axis = 0; axis < 3; ++axis) {
       shifts[axis] = size[axis] >= 4 * thinnest * reach_ ? 2 : size[axis] >= 2 * thinnest * reach_ ? 1 : 0;
-      finest[axis] = std::ldexp(size[axis], -shifts[axis]);
     }
+    const Lattice finest = lattice_of(lo, size, shifts);
     level.met.resize(ids.size());
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      level.met[i] = cells_met(ids[i], lo, finest, {1 << shifts[0], 1 << shifts[1], 1 << shifts[2]});
-    }
+    for (std::size_t i = 0; i < ids.size(); ++i) level.met[i] = cells_met(ids[i], finest);
 
-    static const float CB = envf("CB", 2), CV = envf("CV", 1), CS = envf("CS", 1), CE = envf("CE", 3);
-    const auto leaf_cost = [&](std::uint32_t n) { return n == 0 ? 0.f : CV + CB * float((n + 7) / 8); };
-    // Choose among dividing as finely as can be, half as finely, or not at all.
-    float best_cost = leaf_cost(ids.size());
-    int best = -1;
-    std::array<std::uint32_t, 64> counts;
-    for (int coarser = 0; coarser < 2; ++coarser) {
-      const auto [wide, x, y, z] = coarsened(shifts, coarser);
-      if (x + y + z == 0) break;
-      counts.fill(0);
-      std::uint64_t total = 0;
-      for (const std::uint64_t met : level.met) {
-        const std::uint64_t folded = coarser ? fold(met, shifts) : met;
-        total += std::popcount(folded);
-        for (std::uint64_t rest = folded; rest != 0; rest &= rest - 1) ++counts[std::countr_zero(rest)];
-      }
-      int occupied = 0;
-      float cost = 0;
-      for (const std::uint32_t n : counts) occupied += n != 0, cost += leaf_cost(n);
-      if (total > budget || 2 * total > occupied * ids.size()) continue;
-      const Vec3d part(std::ldexp(size.x, -x), std::ldexp(size.y, -y), std::ldexp(size.z, -z));
-      const float share = area(part) / area(size);
-      cost = CE + share * (cost + CS * float(1 << (x + y + z)));
-      if (cost < best_cost) best_cost = cost, best = coarser;
+    // As finely as can be, or half as finely; what costs least, if less than a leaf.
+    float least_cost = leaf_cost(static_cast<std::uint32_t>(ids.size()));
+    std::array<int, 3> chosen{0, 0, 0};
+    for (const bool is_folded : {false, true}) {
+      if (is_folded) fold(level.met, shifts);
+      if (shifts == std::array<int, 3>{0, 0, 0}) break;
+      count(level);
+      // Parts of which each still holds half of all bring nothing but copies: primitives that lie upon one another.
+      if (level.total > budget || 2 * level.total > level.occupied() * ids.size()) continue;
+      const float cost = cost_of(level, size, lattice_of(lo, size, shifts).size);
+      if (cost >= least_cost) continue;
+      least_cost = cost;
+      chosen = shifts;
+      level.chosen = level.met;
+      level.chosen_counts = level.counts;
     }
-    if (best < 0) return as_leaf();
-
-    if (best == 1) {
-      for (std::uint64_t& met : level.met) met = fold(met, shifts);
-      for (int& s : shifts) s = std::max(0, s - 1);
-    }
-    counts.fill(0);
-    std::uint64_t occupied = 0, total = 0;
-    for (const std::uint64_t met : level.met) {
-      occupied |= met;
-      for (std::uint64_t rest = met; rest != 0; rest &= rest - 1) ++counts[std::countr_zero(rest)];
-    }
-    std::array<std::uint32_t, 65> starts{};
-    for (int bit = 0; bit < 64; ++bit) starts[bit + 1] = starts[bit] + counts[bit];
-    total = starts[64];
-    level.ids.resize(total);
-    {
-      auto at = starts;
-      for (std::size_t i = 0; i < ids.size(); ++i) {
-        for (std::uint64_t rest = level.met[i]; rest != 0; rest &= rest - 1) level.ids[at[std::countr_zero(rest)]++] = ids[i];
-      }
-    }
-    const auto block = static_cast<std::uint32_t>(out.blocks.size());
-    auto cell = static_cast<std::uint32_t>(out.cells.size());
-    GridBlock made{occupied, cell, {}};
-    for (int axis = 0; axis < 3; ++axis) made.shifts[axis] = static_cast<std::uint8_t>(shifts[axis]);
-    out.blocks.push_back(made);
-    out.cells.resize(out.cells.size() + std::popcount(occupied));
-    Vec3d part;
-    for (int axis = 0; axis < 3; ++axis) part[axis] = std::ldexp(size[axis], -shifts[axis]);
-    for (std::uint64_t rest = occupied; rest != 0; rest &= rest - 1, ++cell) {
-      const int bit = std::countr_zero(rest);
-      const Vec3d corner = lo + part * Vec3d(bit % 4, bit / 4 % 4, bit / 16);
-      const GridCell child = divide({level.ids.data() + starts[bit], counts[bit]}, corner, part,
-                                    budget * counts[bit] / total, out, depth + 1);
-      out.cells[cell] = child;
-    }
-    return GridCell::divided_by(block);
+    if (chosen == std::array<int, 3>{0, 0, 0}) return leaf_of(ids, out);
+    return block_of(ids, lattice_of(lo, size, chosen), chosen, budget, out, depth);
   }
 
  private:
+  static constexpr std::size_t least_divided = 3;  ///< Primitives of a cell.
   static constexpr int max_depth = 6;
-  static constexpr double thinnest = 8;
-  struct Level {
-    std::vector<std::uint64_t> met;
-    std::vector<std::uint32_t> ids;
+  static constexpr double thinnest = 8;  ///< Thickness of a layer, in units of the reach: below, all would be copies.
+
+  /// Costs are relative to one step from cell to cell.
+  static constexpr float leaf_visit_cost = 1, triangle_block_cost = 2, block_entry_cost = 3;
+  static float leaf_cost(std::uint32_t primitives) {
+    return primitives == 0 ? 0 : leaf_visit_cost + triangle_block_cost * static_cast<float>((primitives + 7) / 8);
+  }
+
+  /// Equal cells in rows, at most `counts` along each axis.
+  struct Lattice {
+    Vec3d lo, size, inverse;
+    std::array<int, 3> counts;
+    Lattice(const Vec3d& lo, const Vec3d& size, const std::array<int, 3>& counts)
+        : lo(lo), size(size), inverse(1.0 / size), counts(counts) {}
   };
-  struct Coarse { int wide, x, y, z; };
-
-  static Coarse coarsened(const std::array<int, 3>& shifts, int coarser) {
-    return {0, std::max(0, shifts[0] - coarser), std::max(0, shifts[1] - coarser), std::max(0, shifts[2] - coarser)};
-  }
-
-  static double area(const Vec3d& size) { return size.x * size.y + size.y * size.z + size.z * size.x; }
-
-  /// The mask of a division half as fine.
-  static std::uint64_t fold(std::uint64_t met, const std::array<int, 3>& shifts) {
-    if (shifts[0] == 2) met = fold_axis<1>(met, 0x1111111111111111);
-    else if (shifts[0] == 1) met = (met | met >> 1) & 0x1111111111111111;
-    if (shifts[1] == 2) met = fold_axis<4>(met, 0x000f000f000f000f);
-    else if (shifts[1] == 1) met = (met | met >> 4) & 0x000f000f000f000f;
-    if (shifts[2] == 2) met = fold_axis<16>(met, 0xffff);
-    else if (shifts[2] == 1) met = (met | met >> 16) & 0xffff;
-    return met;
-  }
-  /// `lowest` are the bits of layer 0.
-  template <int stride>
-  static std::uint64_t fold_axis(std::uint64_t met, std::uint64_t lowest) {
-    const std::uint64_t pairs = met | met >> stride;
-    return (pairs & lowest) | ((pairs >> stride) & (lowest << stride));
-  }
-
-  struct LayersMet {
+  struct Layers {
     std::array<int, 3> first, last;
   };
-  LayersMet layers_met(std::uint32_t id, const Vec3d& lo, const Vec3d& size, const std::array<int, 3>& counts) const {
-    const Aabb box = primitives_.bounds(id);
-    LayersMet met;
+  /// Scratch of dividing a cell. Masks have the bits of the cells that a primitive meets.
+  struct Level {
+    std::vector<std::uint64_t> met, chosen;
+    std::array<std::uint32_t, 64> counts, chosen_counts;  ///< Of the primitives that meet each cell.
+    std::uint64_t total;
+    std::vector<std::uint32_t> ids;
+
+    std::uint64_t occupied() const {
+      return 64 - static_cast<std::uint64_t>(std::count(counts.begin(), counts.end(), 0u));
+    }
+  };
+
+  template <class See>
+  static void for_each_bit(std::uint64_t bits, See&& see) {
+    for (; bits != 0; bits &= bits - 1) see(std::countr_zero(bits));
+  }
+
+  static Lattice lattice_of(const Vec3d& lo, const Vec3d& size, const std::array<int, 3>& shifts) {
+    Vec3d part;
+    for (int axis = 0; axis < 3; ++axis) part[axis] = size[axis] / (1 << shifts[axis]);
+    return {lo, part, {1 << shifts[0], 1 << shifts[1], 1 << shifts[2]}};
+  }
+
+  static void count(Level& level) {
+    level.counts.fill(0);
+    for (const std::uint64_t met : level.met) for_each_bit(met, [&](int bit) { ++level.counts[bit]; });
+    level.total = std::accumulate(level.counts.begin(), level.counts.end(), std::uint64_t(0));
+  }
+
+  /// Of a ray that crosses the cell: it meets a part with the probability that their surfaces tell.
+  static float cost_of(const Level& level, const Vec3d& size, const Vec3d& part) {
+    const auto half_area = [](const Vec3d& e) { return e.x * e.y + e.y * e.z + e.z * e.x; };
+    float cost = static_cast<float>(std::round(size.x / part.x * (size.y / part.y) * (size.z / part.z)));
+    for (const std::uint32_t n : level.counts) cost += leaf_cost(n);
+    return block_entry_cost + static_cast<float>(half_area(part) / half_area(size)) * cost;
+  }
+
+  static GridCell leaf_of(std::span<const std::uint32_t> ids, DividedCells& out) {
+    const auto first = static_cast<std::uint32_t>(out.order.size());
+    out.order.insert(out.order.end(), ids.begin(), ids.end());
+    return {first, static_cast<std::uint32_t>(ids.size())};
+  }
+
+  /// Counting sort into the cells of the lattice as `chosen`, each of which is divided in turn.
+  GridCell block_of(std::span<const std::uint32_t> ids, const Lattice& lattice, const std::array<int, 3>& shifts,
+                    std::uint64_t budget, DividedCells& out, int depth) {
+    Level& level = levels_[static_cast<std::size_t>(depth)];
+    const std::array<std::uint32_t, 64> counts = level.chosen_counts;
+    std::array<std::uint32_t, 64> ends;
+    std::partial_sum(counts.begin(), counts.end(), ends.begin());
+    GridBlock block;
+    for (int axis = 0; axis < 3; ++axis) block.shifts[axis] = static_cast<std::uint8_t>(shifts[axis]);
+    block.first_cell = static_cast<std::uint32_t>(out.cells.size());
+    level.ids.resize(ends.back());
+    std::array<std::uint32_t, 64> at;
+    for (int bit = 0; bit < 64; ++bit) at[bit] = ends[bit] - counts[bit];
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      block.occupied |= level.chosen[i];
+      for_each_bit(level.chosen[i], [&](int bit) { level.ids[at[bit]++] = ids[i]; });
+    }
+    const auto number = static_cast<std::uint32_t>(out.blocks.size());
+    out.blocks.push_back(block);
+    out.cells.resize(out.cells.size() + static_cast<std::size_t>(std::popcount(block.occupied)));
+    for_each_bit(block.occupied, [&](int bit) {
+      const std::array<int, 3> place = GridBlock::place_of(bit);
+      const GridCell cell = divide({level.ids.data() + ends[bit] - counts[bit], counts[bit]},
+                                   lattice.lo + lattice.size * Vec3d(place[0], place[1], place[2]), lattice.size,
+                                   budget * counts[bit] / ends.back(), out, depth + 1);
+      out.cells[block.cell_at(bit)] = cell;
+    });
+    return GridCell::divided_by(number);
+  }
+
+  /// Joins layers in pairs.
+  static void fold(std::vector<std::uint64_t>& masks, std::array<int, 3>& shifts) {
+    constexpr std::uint64_t lowest[3] = {0x1111'1111'1111'1111, 0x000f'000f'000f'000f, 0xffff};  // layer 0 of each axis
     for (int axis = 0; axis < 3; ++axis) {
-      const double from = (box.lo[axis] - origin_[axis] - reach_ - lo[axis]) / size[axis];
-      const double to = (box.hi[axis] - origin_[axis] + reach_ - lo[axis]) / size[axis];
-      met.first[axis] = clamp_to_index(from, counts[axis]);
-      met.last[axis] = clamp_to_index(to, counts[axis]);
+      const int stride = 1 << 2 * axis;
+      for (std::uint64_t& met : masks) {
+        const std::uint64_t pairs = met | met >> stride;
+        met = (pairs & lowest[axis]) | ((pairs >> stride) & (lowest[axis] << stride));
+      }
+      shifts[axis] = std::max(0, shifts[axis] - 1);
+    }
+  }
+
+  /// The layers that a box meets.
+  Layers layers_met(const Aabb& box, const Lattice& lattice) const {
+    Layers met;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double lo = box.lo[axis] - origin_[axis] - lattice.lo[axis],
+                   hi = box.hi[axis] - origin_[axis] - lattice.lo[axis];
+      met.first[axis] = clamp_to_index((lo - reach_) * lattice.inverse[axis], lattice.counts[axis]);
+      met.last[axis] = clamp_to_index((hi + reach_) * lattice.inverse[axis], lattice.counts[axis]);
     }
     return met;
   }
 
-  std::uint64_t cells_met(std::uint32_t id, const Vec3d& lo, const Vec3d& size, const std::array<int, 3>& counts) const {
-    const auto [first, last] = layers_met(id, lo, size, counts);
-    std::uint64_t within = 0;
-    int places = 1;
-    {
-      std::uint64_t row = 0, plane = 0;
-      row = ((2u << last[0]) - 1) & ~((1u << first[0]) - 1);
-      for (int y = first[1]; y <= last[1]; ++y) plane |= row << (4 * y);
-      for (int z = first[2]; z <= last[2]; ++z) within |= plane << (16 * z);
-      for (int axis = 0; axis < 3; ++axis) places *= last[axis] - first[axis] + 1;
-    }
-    if (places == 1 || quality_ == Quality::fast) return within;
+  /// The cells that a primitive meets, which meets the lattice.
+  std::uint64_t cells_met(std::uint32_t id, const Lattice& lattice) const {
+    const Layers layers = layers_met(primitives_.bounds(id), lattice);
+    std::uint64_t row = 0, plane = 0, met = 0;
+    for (int x = layers.first[0]; x <= layers.last[0]; ++x) row |= std::uint64_t(1) << GridBlock::bit(x, 0, 0);
+    for (int y = layers.first[1]; y <= layers.last[1]; ++y) plane |= row << GridBlock::bit(0, y, 0);
+    for (int z = layers.first[2]; z <= layers.last[2]; ++z) met |= plane << GridBlock::bit(0, 0, z);
+    if (layers.first == layers.last || quality_ == Quality::fast) return met;
     const Hull hull = primitives_.hull(id);
-    if (hull.is_polygon) return within & PolygonOverlap(hull, origin_, reach_).boxes_met(lo, size);
-    for (std::uint64_t rest = within; rest != 0; rest &= rest - 1) {
-      const int bit = std::countr_zero(rest);
-      const Vec3d corner = origin_ + lo + size * Vec3d(bit % 4, bit / 4 % 4, bit / 16);
-      Aabb box;
-      for (int axis = 0; axis < 3; ++axis) {
-        box.lo[axis] = round_down(corner[axis] - reach_);
-        box.hi[axis] = round_up(corner[axis] + size[axis] + reach_);
-      }
-      if (primitives_.clip(id, box).is_empty()) within &= ~(std::uint64_t(1) << bit);
-    }
-    return within;
+    if (hull.is_polygon) return met & PolygonOverlap(hull, origin_ + lattice.lo, lattice.size, reach_).boxes_met();
+    for_each_bit(met, [&](int bit) {
+      const std::array<int, 3> place = GridBlock::place_of(bit);
+      const Vec3d lo = origin_ + lattice.lo + lattice.size * Vec3d(place[0], place[1], place[2]) - reach_;
+      const Vec3d hi = lo + lattice.size + 2 * reach_;
+      const Aabb box{{round_down(lo.x), round_down(lo.y), round_down(lo.z)},
+                     {round_up(hi.x), round_up(hi.y), round_up(hi.z)}};
+      if (primitives_.clip(id, box).is_empty()) met &= ~(std::uint64_t(1) << bit);
+    });
+    return met;
   }
 
   const Primitives& primitives_;
   Quality quality_;
   Vec3d origin_;
   double reach_;
-  std::deque<Level> levels_;  ///< Scratch, by depth.
+  std::deque<Level> levels_;  ///< By depth; their addresses stay as more are added.
 };
 
 }  // namespace sightline

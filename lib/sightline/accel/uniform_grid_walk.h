@@ -81,18 +81,19 @@ class GridWalk {
     }
     if (!(t <= t_exit && t <= far_)) return;
     const std::array<int, 3> strides{1, grid_.resolution[0], grid_.resolution[0] * grid_.resolution[1]};
-    cross({0, 0, 0}, grid_.resolution, Vec3<T>(1), strides, t, t_exit, [&](int index, const Vec3<T>& place, T t_in, T t_out) {
-      const auto number = static_cast<std::uint32_t>(index);
-      return examine(number, grid_.cells[number], place, Vec3<T>(1), t_in, t_out);
-    });
+    cross({0, 0, 0}, grid_.resolution, Vec3<T>(1), strides, t, t_exit,
+          [&](int index, const Vec3<T>& place, T t_in, T t_out) {
+            const auto number = static_cast<std::uint32_t>(index);
+            return examine(number, grid_.cells[number], place, Vec3<T>(1), t_in, t_out);
+          });
   }
 
  private:
   /// Visits cells of one size, in the order in which the ray enters them, from t until it leaves at t_exit. False when
   /// the whole walk is over. The planes below the first cells have the numbers `first`.
   template <class Examine>
-  bool cross(const Vec3<T>& first, const std::array<int, 3>& counts, const Vec3<T>& finer, const std::array<int, 3>& strides,
-             T t, T t_exit, Examine&& examine) {
+  bool cross(const Vec3<T>& first, const std::array<int, 3>& counts, const Vec3<T>& finer,
+             const std::array<int, 3>& strides, T t, T t_exit, Examine&& examine) {
     Vec3<T> place, next, per_layer;
     int index = 0;
     std::array<int, 3> moves;
@@ -136,7 +137,8 @@ class GridWalk {
     return cell.is_empty() || walk_block(number, grid_.blocks[cell.block()], place, finer, t, t_exit);
   }
 
-  bool walk_block(std::uint32_t number, const GridBlock& block, const Vec3<T>& place, const Vec3<T>& coarser, T t, T t_exit) {
+  bool walk_block(std::uint32_t number, const GridBlock& block, const Vec3<T>& place, const Vec3<T>& coarser, T t,
+                  T t_exit) {
     std::array<int, 3> counts;
     Vec3<T> first, finer;
     for (int axis = 0; axis < 3; ++axis) {
