@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <span>
 
 #include "sightline/math/hull.h"
 #include "sightline/math/simd.h"
@@ -20,84 +20,98 @@ namespace sightline {
 class PolygonOverlap {
  public:
   /// The first box has the corner `lo`; boxes are enlarged by `margin` (above 0) on every side.
-  PolygonOverlap(const Hull& polygon, const Vec3d& lo, const Vec3d& size, double margin)
-      : count_(polygon.points.size()), size_(size / margin), half_(0.5f * size_ + 1.0f) {
-    for (int i = 0; i < count_; ++i) {
-      points_[i] = Vec3f((Vec3d(polygon.points[i]) - lo) / margin);
-      reach_ = std::max(reach_, max_norm(points_[i]));
+  PolygonOverlap(const Hull& polygon, const Vec3d& lo, const Vec3d& size, double margin) {
+    const int count = polygon.points.size();
+    const Vec3d per_margin = Vec3d(1 / margin);
+    std::array<Vec3f, 8> points;  // relative to `lo`; lengths are in units of the margin
+    float reach = 0;
+    for (int i = 0; i < count; ++i) {
+      points[i] = Vec3f((Vec3d(polygon.points[i]) - lo) * per_margin);
+      reach = std::max({reach, std::fabs(points[i].x), std::fabs(points[i].y), std::fabs(points[i].z)});
     }
-    reach_ += 4 * max_norm(size_);
-    add(glm::cross(points_[1] - points_[0], points_[count_ - 1] - points_[0]));
-    for (int i = 0; i < count_; ++i) {
-      const Vec3f edge = points_[i + 1 == count_ ? 0 : i + 1] - points_[i];
+    add(glm::cross(points[1] - points[0], points[count - 1] - points[0]));
+    for (int i = 0; i < count; ++i) {
+      const Vec3f edge = points[i + 1 == count ? 0 : i + 1] - points[i];
       add({0, -edge.z, edge.y});
       add({edge.z, 0, -edge.x});
       add({-edge.y, edge.x, 0});
     }
+    place({points.data(), static_cast<std::size_t>(count)}, Vec3f(size * per_margin), reach);
   }
 
   /// Bit x + 4 y + 16 z is set where the polygon meets the box of that place.
   std::uint64_t boxes_met() const {
     alignas(64) static constexpr float columns[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
     alignas(64) static constexpr float rows[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
-    const hn::CappedTag<float, 16> d;
     std::uint64_t bits = 0;
-    for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
+    for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(d)) {
       const auto x = hn::Load(d, columns + lane), y = hn::Load(d, rows + lane);
       auto worst0 = hn::Zero(d), worst1 = worst0, worst2 = worst0, worst3 = worst0;
-      for (int i = 0; i < axis_count_; ++i) {
-        const Axis& axis = axes_[i];
-        const auto step = hn::Set(d, axis.step.z), limit = hn::Set(d, axis.limit);
-        const auto at0 =
-            hn::MulAdd(x, hn::Set(d, axis.step.x), hn::MulAdd(y, hn::Set(d, axis.step.y), hn::Set(d, axis.start)));
+      for (int i = 0; i < count_; ++i) {
+        const auto step = hn::Set(d, z_[i]), limit = hn::Set(d, limit_[i]);
+        const auto at0 = hn::MulAdd(x, hn::Set(d, x_[i]), hn::MulAdd(y, hn::Set(d, y_[i]), hn::Set(d, start_[i])));
         const auto at1 = hn::Add(at0, step), at2 = hn::Add(at1, step), at3 = hn::Add(at2, step);
         worst0 = hn::Max(worst0, hn::Sub(hn::Abs(at0), limit));
         worst1 = hn::Max(worst1, hn::Sub(hn::Abs(at1), limit));
         worst2 = hn::Max(worst2, hn::Sub(hn::Abs(at2), limit));
         worst3 = hn::Max(worst3, hn::Sub(hn::Abs(at3), limit));
       }
-      const auto is_met = [&](auto worst) { return hn::Eq(worst, hn::Zero(d)); };
-      bits |= bits_of(d, is_met(worst0)) << lane | bits_of(d, is_met(worst1)) << (lane + 16) |
-              bits_of(d, is_met(worst2)) << (lane + 32) | bits_of(d, is_met(worst3)) << (lane + 48);
+      const auto is_met = [&](auto worst) { return bits_of(hn::Eq(worst, hn::Zero(d))) << lane; };
+      bits |= is_met(worst0) | is_met(worst1) << 16 | is_met(worst2) << 32 | is_met(worst3) << 48;
     }
     return bits;
   }
 
  private:
-  /// Centers of boxes are start + x step.x + y step.y + z step.z from the polygon's middle on this axis, and apart from
-  /// it beyond the limit.
-  struct Axis {
-    Vec3f step;
-    float start, limit;
-  };
+  static constexpr std::size_t lanes = 16, most_axes = 32;
+  static constexpr hn::CappedTag<float, lanes> d{};
 
   void add(const Vec3f& normal) {
-    float lo = glm::dot(normal, points_[0]), hi = lo;
-    for (int i = 1; i < count_; ++i) {
-      const float at = glm::dot(normal, points_[i]);
-      lo = std::min(lo, at);
-      hi = std::max(hi, at);
-    }
-    const Vec3f width = glm::abs(normal), step = normal * size_;
-    // Twelve roundings at most, none of more than 2^-24 times the largest number that they meet; twice that.
-    const float slack = 0x1p-19f * (width.x + width.y + width.z) * reach_;
-    const float start = 0.5f * (step.x + step.y + step.z) - 0.5f * (lo + hi);
-    axes_[axis_count_++] = {step, start, 0.5f * (hi - lo) + glm::dot(width, half_) + slack};
+    x_[count_] = normal.x, y_[count_] = normal.y, z_[count_] = normal.z;
+    ++count_;
   }
 
-  template <class D, class M>
-  static std::uint64_t bits_of(D d, M mask) {
+  /// From the normals of the axes to the places of the boxes on them, several axes at once.
+  void place(std::span<const Vec3f> points, const Vec3f& size, float reach) {
+    const auto size_x = hn::Set(d, size.x), size_y = hn::Set(d, size.y), size_z = hn::Set(d, size.z);
+    const auto half = hn::Set(d, 0.5f), margin = hn::Set(d, 1);
+    // Twelve roundings at most, none of more than 2^-24 times the largest number that they meet; twice that.
+    const auto slack = hn::Set(d, 0x1p-19f * (reach + 4 * std::max({size.x, size.y, size.z})));
+    for (std::size_t first = 0; first < static_cast<std::size_t>(count_); first += hn::Lanes(d)) {
+      const auto x = hn::Load(d, x_ + first), y = hn::Load(d, y_ + first), z = hn::Load(d, z_ + first);
+      const auto along = [&](const Vec3f& p) {
+        return hn::MulAdd(x, hn::Set(d, p.x), hn::MulAdd(y, hn::Set(d, p.y), hn::Mul(z, hn::Set(d, p.z))));
+      };
+      auto lowest = along(points[0]), highest = lowest;
+      for (const Vec3f& p : points.subspan(1)) {
+        const auto at = along(p);
+        lowest = hn::Min(lowest, at);
+        highest = hn::Max(highest, at);
+      }
+      const auto step_x = hn::Mul(x, size_x), step_y = hn::Mul(y, size_y), step_z = hn::Mul(z, size_z);
+      const auto steps = hn::Add(step_x, hn::Add(step_y, step_z));
+      const auto widths = hn::Add(hn::Abs(step_x), hn::Add(hn::Abs(step_y), hn::Abs(step_z)));
+      const auto normals = hn::Add(hn::Abs(x), hn::Add(hn::Abs(y), hn::Abs(z)));
+      const auto reached = hn::Mul(half, hn::Add(hn::Sub(highest, lowest), widths));
+      hn::Store(step_x, d, x_ + first);
+      hn::Store(step_y, d, y_ + first);
+      hn::Store(step_z, d, z_ + first);
+      hn::Store(hn::Mul(half, hn::Sub(steps, hn::Add(lowest, highest))), d, start_ + first);
+      hn::Store(hn::MulAdd(normals, hn::Add(margin, slack), reached), d, limit_ + first);
+    }
+  }
+
+  template <class M>
+  static std::uint64_t bits_of(M mask) {
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, mask, bytes);
     return bytes[0] | std::uint64_t(bytes[1]) << 8;
   }
 
-  std::array<Vec3f, 8> points_;  ///< Relative to `lo`; lengths are in units of the margin.
-  int count_;
-  Vec3f size_, half_;
-  float reach_ = 0;  ///< Above all coordinates.
-  std::array<Axis, 25> axes_;
-  int axis_count_ = 0;
+  int count_ = 0;
+  // Normals of the axes and then, on each, the steps between boxes, the first box's center relative to the polygon's
+  // middle, and how far from that boxes are met.
+  alignas(64) float x_[most_axes]{}, y_[most_axes]{}, z_[most_axes]{}, start_[most_axes], limit_[most_axes];
 };
 
 }  // namespace sightline
