@@ -103,7 +103,7 @@ TEST(StructureCost, ScannedSurface) {
   expect_work<SphereTree>(mesh, {6.8, 15.3, 1});
   expect_work<BoxTree>(mesh, {3.1, 12, 1});
   expect_work<CylinderTree>(mesh, {5.8, 10.7, 1});
-  expect_work<UniformGrid>(mesh, {11.4, 14.9, 4.4});
+  expect_work<UniformGrid>(mesh, {19.7, 6.6, 5.1});
   expect_work<BspTree>(mesh, {4, 21, 3.3});
   expect_work<KdTree>(mesh, {4, 26, 5.6});
   expect_work<BoundingIntervalHierarchy>(mesh, {26.3, 28.9, 1});
@@ -114,7 +114,7 @@ TEST(StructureCost, UnevenScene) {
   expect_work<SphereTree>(mesh, {6.4, 7.1, 1});
   expect_work<BoxTree>(mesh, {3.5, 7.6, 1});
   expect_work<CylinderTree>(mesh, {6.3, 6.3, 1});
-  expect_work<UniformGrid>(mesh, {9.4, 18.8, 1.9});
+  expect_work<UniformGrid>(mesh, {7.5, 5.2, 2.1});
   expect_work<BspTree>(mesh, {6.7, 12.7, 1.6});
   expect_work<KdTree>(mesh, {5.5, 13.3, 1.5});
   expect_work<BoundingIntervalHierarchy>(mesh, {17.9, 21.5, 1});

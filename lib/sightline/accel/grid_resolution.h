@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include "sightline/math/aabb.h"
 #include "sightline/math/rounding.h"
@@ -14,8 +13,8 @@ namespace sightline {
 /// as can be: in proportion to the extents. An axis along which the bounds are flat, or too thin for a whole layer, has
 /// one; what one axis cannot take goes to the others.
 ///   R1  The product is at most `cells` (or 1), and at most 2^28.
-///   R2  A layer is at least twice as thick as the widest spacing of floats within the bounds on its axis, so its two
-///       planes stay apart when each is rounded to the nearest float.
+///   R2  A layer is at least twice as thick as the widest spacing of floats within the bounds on its axis, so
+///       that primitives can lie in one and not in the next.
 /// Ize, Shirley and Parker, "Grid creation strategies for efficient ray tracing", 2007.
 inline std::array<int, 3> grid_resolution(const Aabb& bounds, double cells) {
   constexpr double most_cells = 0x1p28;
@@ -52,14 +51,6 @@ inline std::array<int, 3> grid_resolution(const Aabb& bounds, double cells) {
     is_open[strictest] = false;
     cells = std::max(1.0, cells / layers[strictest]);
   }
-}
-
-/// The count + 1 planes between and beside `count` equal layers of [lo, hi]: strictly increasing by R2.
-inline std::vector<float> layer_planes(float lo, float hi, int count) {
-  std::vector<float> planes(count + 1);
-  for (int i = 0; i < count; ++i) planes[i] = static_cast<float>(lo + (double(hi) - lo) * (double(i) / count));
-  planes[count] = hi;
-  return planes;
 }
 
 }  // namespace sightline

@@ -17,8 +17,8 @@
 namespace sightline {
 
 struct UniformGridOptions {
-  float density = 0.125f;  ///< Cells of the top level wanted for each primitive.
-  int max_copies = 16;     ///< Leaves that hold a primitive, on average; cells that need more are not divided.
+  float density = 0.1f;  ///< Cells of the top level wanted for each primitive.
+  int max_copies = 16;   ///< Leaves that hold a primitive, on average; cells that need more are not divided.
   Quality quality = Quality::balanced;
 
   static constexpr std::array<OptionField<UniformGridOptions>, 3> fields() {
