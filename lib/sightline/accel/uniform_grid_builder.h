@@ -1,6 +1,8 @@
 #pragma once
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
@@ -50,8 +52,16 @@ class UniformGridBuilder {
   static constexpr float near = 4;  ///< Largest extents within which rays may start that the cells allow for.
 
   void place_bounds() {
-    tight_ = {};
-    for (std::uint32_t id = 0; id != primitives_.size(); ++id) tight_.extend(primitives_.bounds(id));
+    const auto extended = [&](const auto& ids, Aabb box) {
+      for (std::uint32_t id = ids.begin(); id != ids.end(); ++id) box.extend(primitives_.bounds(id));
+      return box;
+    };
+    const auto joined = [](Aabb a, const Aabb& b) {
+      a.extend(b);
+      return a;
+    };
+    tight_ = tbb::parallel_reduce(tbb::blocked_range<std::uint32_t>(0, primitives_.size(), chunk_size), Aabb{},
+                                  extended, joined);
     grid_.bounds = tight_;
     extent_ = max_norm(Vec3d(tight_.hi) - Vec3d(tight_.lo));
     grid_.pad = static_cast<float>(margin<float> * near * extent_);
