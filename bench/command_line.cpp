@@ -11,14 +11,36 @@
 namespace sightline::bench {
 namespace {
 
+/// What an entry itself, or --set, says of its quality stays; a structure may have none.
+void set_quality(AcceleratorSpec& spec, const std::string& quality) {
+  constexpr std::string_view name = "quality";
+  for (const AcceleratorInfo& info : accelerator_infos()) {
+    if (info.name != spec.accelerator) continue;
+    const auto has_choice = [&](const auto& option) { return option.name == name; };
+    if (std::none_of(info.options.begin(), info.options.end(), has_choice)) return;
+    auto& options = spec.settings.options;
+    if (std::any_of(options.begin(), options.end(), has_choice)) return;
+    options.push_back({std::string(name), quality});
+  }
+}
+
+std::vector<std::string> level_names() {
+  std::vector<std::string> names;
+  for (const LevelInfo& info : level_infos) names.emplace_back(info.name);
+  return names;
+}
+
 /// \throws std::invalid_argument
 std::vector<AcceleratorSpec> parse_structures(const std::vector<std::string>& texts,
-                                              const std::vector<std::string>& settings) {
+                                              const std::vector<std::string>& settings, const std::string& quality) {
   std::vector<AcceleratorSpec> structures;
   for (const std::string& text : texts) {
     for (AcceleratorSpec& spec : parse_accelerators(text)) structures.push_back(std::move(spec));
   }
   apply_settings(structures, settings);
+  if (!quality.empty()) {
+    for (AcceleratorSpec& spec : structures) set_quality(spec, quality);
+  }
   for (std::size_t i = 0; i < structures.size(); ++i) {
     check_accelerator(structures[i]);
     for (std::size_t j = 0; j < i; ++j) {
@@ -120,6 +142,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   std::vector<std::string> accelerators, settings, workloads, peers;
   std::size_t growth_limit = plan.growth_limit;
   bool is_quick = false, is_list = false;
+  std::string quality, level;
   std::size_t rays = plan.rays;
   int rounds = plan.rounds;
   std::string data_dir = SIGHTLINE_DATA_DIR;
@@ -132,6 +155,13 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   app.add_option("--set", settings, "An option of a structure; repeatable")
       ->type_name("ACCEL.OPTION=VALUE")
       ->allow_extra_args(false);
+  app.add_option("--quality", quality, "Of every structure that has a choice: fast, balanced or best (balanced)")
+      ->type_name("QUALITY")
+      ->check(CLI::IsMember(std::vector<std::string>(quality_names.begin(), quality_names.end())).description(""));
+  app.add_option("--level", level, "How accurate our queries are: fast or watertight (watertight)")
+      ->type_name("LEVEL")
+      ->check(CLI::IsMember(level_names()).description(""));
+  app.add_flag("--stream", plan.asking.is_stream, "Hands all rays over together, instead of one by one");
   app.add_option("--workload", workloads, "Some of build,primary,bounce,shadow (all)")
       ->type_name("NAMES")
       ->delimiter(',')
@@ -199,13 +229,16 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   }
   if (rounds_option->count() > 0) plan.rounds = rounds;
   plan.data_dir = data_dir;
+  for (const LevelInfo& info : level_infos) {
+    if (info.name == level) plan.asking.level = info.level;
+  }
   if (!peers.empty()) plan.peers = parse_peers(peers);
   if (!workloads.empty()) plan.workloads = parse_workloads(workloads);
   if (accelerators.empty()) {
     for (const AcceleratorInfo& info : accelerator_infos()) accelerators.emplace_back(info.name);
   }
   try {
-    plan.structures = parse_structures(accelerators, settings);
+    plan.structures = parse_structures(accelerators, settings, quality);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }

@@ -10,36 +10,39 @@ namespace {
 
 class BuiltStructure final : public Built {
  public:
-  explicit BuiltStructure(std::unique_ptr<Tracer> tracer) : tracer_(std::move(tracer)) {}
+  BuiltStructure(std::unique_ptr<Tracer> tracer, const Asking& asking) : tracer_(std::move(tracer)), asking_(asking) {}
 
   void closest_hits(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const override {
-    tracer_->closest_hits(rays, hits);
+    if (asking_.is_stream) return tracer_->stream_closest_hits(rays, hits, asking_.level);
+    tracer_->closest_hits(rays, hits, asking_.level);
   }
   void any_hits(std::span<const Ray<float>> rays, std::span<std::uint8_t> is_hit) const override {
-    tracer_->any_hits(rays, is_hit);
+    if (asking_.is_stream) return tracer_->stream_any_hits(rays, is_hit, asking_.level);
+    tracer_->any_hits(rays, is_hit, asking_.level);
   }
   Bytes bytes() const override { return {tracer_->structure_bytes(), tracer_->leaf_bytes()}; }
 
   std::optional<TraversalStats> count_closest(std::span<const Ray<float>> rays,
                                               std::span<Hit<float>> hits) const override {
     TraversalStats stats;
-    tracer_->closest_hits(rays, hits, stats);
+    tracer_->closest_hits(rays, hits, stats, asking_.level);
     return stats;
   }
   std::optional<TraversalStats> count_any(std::span<const Ray<float>> rays,
                                           std::span<std::uint8_t> is_hit) const override {
     TraversalStats stats;
-    tracer_->any_hits(rays, is_hit, stats);
+    tracer_->any_hits(rays, is_hit, stats, asking_.level);
     return stats;
   }
 
  private:
   std::unique_ptr<Tracer> tracer_;
+  Asking asking_;
 };
 
 class Structure final : public Contender {
  public:
-  explicit Structure(AcceleratorSpec spec) : spec_(std::move(spec)) {}
+  Structure(AcceleratorSpec spec, const Asking& asking) : spec_(std::move(spec)), asking_(asking) {}
 
   std::string name() const override { return spec_.label; }
   Kind kind() const override { return Kind::ours; }
@@ -48,11 +51,12 @@ class Structure final : public Contender {
     return spec_.accelerator == oracle_name ? static_cast<double>(triangles) : 0;
   }
   std::unique_ptr<Built> build(const std::shared_ptr<const TriangleMesh>& mesh) const override {
-    return std::make_unique<BuiltStructure>(make_tracer(spec_.accelerator, mesh, spec_.settings));
+    return std::make_unique<BuiltStructure>(make_tracer(spec_.accelerator, mesh, spec_.settings), asking_);
   }
 
  private:
   AcceleratorSpec spec_;
+  Asking asking_;
 };
 
 class BuiltSpoiled final : public Built {
@@ -92,7 +96,9 @@ class Spoiled final : public Contender {
 
 }  // namespace
 
-std::unique_ptr<Contender> make_structure(AcceleratorSpec spec) { return std::make_unique<Structure>(std::move(spec)); }
+std::unique_ptr<Contender> make_structure(AcceleratorSpec spec, const Asking& asking) {
+  return std::make_unique<Structure>(std::move(spec), asking);
+}
 
 std::unique_ptr<Contender> spoil(std::unique_ptr<Contender> contender) {
   return std::make_unique<Spoiled>(std::move(contender));

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 
+#include "bench/asking.h"
 #include "sightline/accel/probe.h"
 #include "sightline/math/ray.h"
 #include "sightline/query/accelerator_spec.h"
@@ -55,7 +56,7 @@ class Contender {
 inline constexpr std::string_view oracle_name = "brute-force";
 
 /// A structure of the registry with options of its own.
-std::unique_ptr<Contender> make_structure(AcceleratorSpec spec);
+std::unique_ptr<Contender> make_structure(AcceleratorSpec spec, const Asking& asking = {});
 
 /// `contender` with its first hit one unit in the last place too far and its first any-hit answer turned round: what
 /// the verification has to catch.

@@ -1,5 +1,7 @@
 #include "bench/json.h"
 
+#include <algorithm>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -47,8 +49,11 @@ Json json_of(const Machine& machine) {
 Json json_of(const Plan& plan) {
   Json workloads = Json::array();
   for (const Workload w : plan.workloads) workloads.push_back(workload_infos[index_of(w)].name);
-  return {{"rays", plan.rays},   {"rounds", plan.rounds},  {"build_threads", plan.threads},
-          {"peers", plan.peers}, {"workloads", workloads}, {"slot_seconds", plan.slot_seconds}};
+  const auto level = std::find_if(level_infos.begin(), level_infos.end(),
+                                  [&](const LevelInfo& info) { return info.level == plan.asking.level; });
+  return {{"level", level->name},   {"stream", plan.asking.is_stream},  {"rays", plan.rays},
+          {"rounds", plan.rounds},  {"build_threads", plan.threads},    {"peers", plan.peers},
+          {"workloads", workloads}, {"slot_seconds", plan.slot_seconds}};
 }
 
 Json traced_json(const ContenderReport& contender, const Measurement& own) {

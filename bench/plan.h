@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/asking.h"
 #include "sightline/query/accelerator_spec.h"
 
 namespace sightline::bench {
@@ -30,6 +31,7 @@ inline constexpr std::size_t index_of(Workload workload) { return static_cast<st
 struct Plan {
   std::vector<std::string> scenes;
   std::vector<AcceleratorSpec> structures;                    ///< Under the labels that the report gives them.
+  Asking asking;                                              ///< Of all structures.
   std::vector<std::string> peers{"embree", "embree-robust"};  ///< Names of this build's peers, each once.
   std::vector<Workload> workloads{Workload::build, Workload::primary, Workload::bounce, Workload::shadow};
   std::size_t rays = 100'000;  ///< Of each workload.

@@ -56,7 +56,7 @@ Contenders make_contenders(const Plan& plan) {
   for (const AcceleratorSpec& choice : plan.structures) {
     AcceleratorSpec spec = choice;
     spec.settings.threads = plan.threads;
-    contenders.push_back(make_structure(std::move(spec)));
+    contenders.push_back(make_structure(std::move(spec), plan.asking));
     if (choice.label == plan.spoiled) contenders.back() = spoil(std::move(contenders.back()));
   }
   for (const PeerInfo& info : peer_infos()) {
@@ -77,9 +77,14 @@ Stage::Stage(const Plan& plan, const std::string& scene, std::shared_ptr<const T
   progress.say(report_.name + ": making rays");
   TracerSettings settings;
   settings.threads = plan_.threads;
-  const auto reference = make_structure({"", std::string(reference_name()), settings})->build(mesh_);
-  const auto oracle = make_structure({"", std::string(oracle_name), settings})->build(mesh_);
+  // One by one, whatever is measured; rays are the same at every level.
+  const auto build = [&](std::string_view name, Level level) {
+    return make_structure({"", std::string(name), settings}, {level, false})->build(mesh_);
+  };
+  auto reference = build(reference_name(), Level::watertight);
   rays_ = make_rays(*mesh_, plan_.rays_of(scene), [&](auto rays, auto hits) { reference->closest_hits(rays, hits); });
+  if (plan_.asking.level != Level::watertight) reference = build(reference_name(), plan_.asking.level);
+  const auto oracle = build(oracle_name, plan_.asking.level);
   std::size_t most = 0;
   for (const auto& rays : rays_) most = std::max(most, rays.size());
   hits_.resize(most);

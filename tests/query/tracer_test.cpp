@@ -99,6 +99,35 @@ TEST(Tracer, AnswersAlmostTheSameAtLevelFast) {
   }
 }
 
+/// More rays than are under way at once, fewer, and none; valid ones between such as hit nothing by definition.
+TEST(Tracer, StreamsGiveTheHitsOfSingleRays) {
+  const auto mesh = small_mesh();
+  auto rays = random_rays(mesh->bounds(), 1000, 4);
+  for (std::size_t i = 0; i < rays.size(); i += 7) rays[i].direction = Vec3f(0);
+  for (const AcceleratorInfo& info : accelerator_infos()) {
+    const auto tracer = make_tracer(info.name, mesh);
+    for (const Level level : {Level::fast, Level::watertight}) {
+      for (const std::size_t count : {std::size_t{0}, std::size_t{5}, rays.size()}) {
+        const std::span<const Ray<float>> some(rays.data(), count);
+        std::vector<Hit<float>> hits(count), expected(count);
+        std::vector<std::uint8_t> any(count), expected_any(count);
+        tracer->closest_hits(some, expected, level);
+        tracer->any_hits(some, expected_any, level);
+        tracer->stream_closest_hits(some, hits, level);
+        tracer->stream_any_hits(some, any, level);
+        EXPECT_TRUE(hits == expected) << info.name;
+        EXPECT_TRUE(any == expected_any) << info.name;
+      }
+    }
+    std::vector<Ray<double>> wide(200);
+    for (std::size_t i = 0; i < wide.size(); ++i) wide[i] = to_double(rays[i]);
+    std::vector<Hit<double>> hits(wide.size()), expected(wide.size());
+    tracer->closest_hits(wide, expected);
+    tracer->stream_closest_hits(wide, hits);
+    EXPECT_TRUE(hits == expected) << info.name;
+  }
+}
+
 TEST(Tracer, OffersSomethingOnlyByItsName) {
   const std::string message = message_of("kdtree");
   EXPECT_EQ(message.find("unknown accelerator 'kdtree'; expected one of brute-force"), 0u) << message;

@@ -113,8 +113,8 @@ class GridDivider {
   struct Lattice {
     Vec3d lo, size, inverse;
     std::array<int, 3> counts;
-    Lattice(const Vec3d& lo, const Vec3d& size, const std::array<int, 3>& counts)
-        : lo(lo), size(size), inverse(1.0 / size), counts(counts) {}
+    Lattice(const Vec3d& first, const Vec3d& of_each, const std::array<int, 3>& how_many)
+        : lo(first), size(of_each), inverse(1.0 / of_each), counts(how_many) {}
   };
   struct Layers {
     std::array<int, 3> first, last;

@@ -68,7 +68,6 @@ class GridWalk {
     // Nothing is reported at infinity, so that an infinite entry always ends the walk.
     far_ = std::min(t_max, std::numeric_limits<T>::max());
     T t = t_min, t_exit = std::numeric_limits<T>::infinity();
-    const GridRegion top = grid_.top();
     for (int axis = 0; axis < 3; ++axis) {
       const int count = grid_.resolution[axis];
       if (ray_.per_layer[axis] == 0) {

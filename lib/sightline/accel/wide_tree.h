@@ -97,6 +97,9 @@ class WideTree {
   template <class T, LeafVisitor<T> Visit, class Probe>
   void traverse(const Ray<T>& ray, Visit&& visit, Probe& probe) const;
 
+  template <class T>
+  class Walk;
+
   /// A node has the number of its place, a leaf that of its first position, counted on from the last node's.
   template <class See>
   void for_each_cell(See&& see) const {
@@ -204,24 +207,6 @@ class WideTree::Opener {
     return range;
   }
 
-  /// max(a, b) that is b where a is NaN; where b is, it may be NaN.
-  template <class V>
-  static V larger(V a, V b) {
-    if constexpr (HWY_ARCH_X86) {
-      return hn::Max(a, b);
-    } else {
-      return hn::IfThenElse(hn::Gt(a, b), a, b);
-    }
-  }
-  template <class V>
-  static V smaller(V a, V b) {
-    if constexpr (HWY_ARCH_X86) {
-      return hn::Min(a, b);
-    } else {
-      return hn::IfThenElse(hn::Lt(a, b), a, b);
-    }
-  }
-
   [[gnu::always_inline]] bool open_at_once(const Node& node, float far, Waiting<T>& waiting, std::size_t& count,
                                            std::uint32_t& link, float& enter) const {
     const Floats f;
@@ -260,35 +245,66 @@ class WideTree::Opener {
   std::size_t octant_ = 0;
 };
 
+/// A traversal that goes on step by step, so that many can be under way at once and none waits for memory alone.
+/// Refers to the tree.
+template <class T>
+class WideTree::Walk {
+ public:
+  Walk(const WideTree& tree, const Ray<T>& ray) : Walk(tree, PaddedRay<T>(ray, tree.bounds_)) {}
+
+  /// Opens a node or visits a leaf; false when none is left.
+  template <LeafVisitor<T> Visit, class Probe>
+  [[gnu::always_inline]] bool step(Visit&& visit, Probe& probe) {
+    if (!Link::is_leaf(link_)) {
+      probe.node(tree_.number_of(link_), static_cast<double>(enter_));
+      if (opener_.open(tree_.nodes_[Link::node(link_)], far_, waiting_, count_, link_, enter_)) return true;
+    } else if (link_ != Link::none) {
+      const LeafRange range = Link::leaf(link_);
+      probe.leaf(tree_.number_of(link_), range, static_cast<double>(enter_));
+      far_ = visit(range);
+      if (far_ < t_min_) return false;
+    }
+    while (count_ > 0) {
+      --count_;
+      link_ = waiting_.links[count_];
+      enter_ = waiting_.enters[count_];
+      if (enter_ <= far_) return true;
+      probe.cull(tree_.number_of(link_), static_cast<double>(enter_));
+    }
+    return false;
+  }
+
+  /// Has what the next step reads brought near: a node, or the leaf that fetch_leaf(range) is told of.
+  template <class FetchLeaf>
+  void fetch(FetchLeaf&& fetch_leaf) const {
+    if (!Link::is_leaf(link_)) {
+      prefetch(&tree_.nodes_[Link::node(link_)], sizeof(Node));
+    } else if (link_ != Link::none) {
+      fetch_leaf(Link::leaf(link_));
+    }
+  }
+
+ private:
+  Walk(const WideTree& tree, const PaddedRay<T>& ray)
+      : tree_(tree),
+        opener_(ray),
+        t_min_(ray.t_min),
+        far_(ray.t_max),
+        enter_(ray.t_min),
+        link_(ray.t_min <= ray.t_max ? 0 : Link::none) {}
+
+  const WideTree& tree_;
+  Opener<T> opener_;
+  T t_min_, far_, enter_;
+  std::uint32_t link_;  ///< Of the next step.
+  std::size_t count_ = 0;
+  Waiting<T> waiting_;
+};
+
 template <class T, LeafVisitor<T> Visit, class Probe>
 void WideTree::traverse(const Ray<T>& ray, Visit&& visit, Probe& probe) const {
-  const PaddedRay<T> padded(ray, bounds_);
-  if (!(padded.t_min <= padded.t_max)) return;
-  const Opener<T> opener(padded);
-  const T t_min = padded.t_min;
-  const Node* const nodes = nodes_.data();
-  T far = padded.t_max, enter = t_min;
-  std::uint32_t link = 0;
-  Waiting<T> waiting;
-  std::size_t count = 0;
-  while (true) {
-    if (!Link::is_leaf(link)) {
-      probe.node(number_of(link), static_cast<double>(enter));
-      if (opener.open(nodes[Link::node(link)], far, waiting, count, link, enter)) continue;
-    } else if (link != Link::none) {
-      const LeafRange range = Link::leaf(link);
-      probe.leaf(number_of(link), range, static_cast<double>(enter));
-      far = visit(range);
-      if (far < t_min) return;
-    }
-    while (true) {
-      if (count == 0) return;
-      --count;
-      link = waiting.links[count];
-      enter = waiting.enters[count];
-      if (enter <= far) break;
-      probe.cull(number_of(link), static_cast<double>(enter));
-    }
+  Walk<T> walk(*this, ray);
+  while (walk.step(visit, probe)) {
   }
 }
 

@@ -2,8 +2,10 @@
 /// Vectors of Google's Highway library, compiled for the processor that the build names: the widest it has, four lanes
 /// of SSE2 where it names none.
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace sightline {
@@ -28,6 +30,14 @@ V smaller(V a, V b) {
   } else {
     return hn::IfThenElse(hn::Lt(a, b), a, b);
   }
+}
+
+/// Has the cache lines of [begin, begin + bytes) brought near, without waiting for them.
+inline void prefetch(const void* begin, std::size_t bytes) {
+  constexpr std::size_t line = 64;
+  const char* const at = static_cast<const char*>(begin);
+  for (std::size_t offset = 0; offset < bytes; offset += line) hwy::Prefetch(at + offset);
+  hwy::Prefetch(at + bytes - 1);
 }
 
 /// One bit a lane, of at most eight lanes.

@@ -72,6 +72,11 @@ class TriangleBlocks {
 
   std::size_t memory_bytes() const { return floats_.size() * sizeof(float); }
 
+  /// Has the leaf's triangles brought near, as far as one block reaches.
+  void fetch(LeafRange leaf) const {
+    prefetch(floats_.data() + at(leaf), std::min(leaf.count, TriangleBlock::lanes) * rows * sizeof(float));
+  }
+
   /// Calls see(block) until it returns false.
   template <class See>
   void for_each(LeafRange leaf, See&& see) const {
@@ -129,6 +134,8 @@ class PackedLeaves {
   PreparedRay<T> prepare(const Ray<T>& ray) const {
     return {ray, bounds_};
   }
+
+  void fetch(LeafRange leaf) const { blocks_.fetch(leaf); }
 
   template <class T, class See>
   void for_each_crossing(PreparedRay<T>& ray, LeafRange leaf, T far, See&& see) const {

@@ -35,47 +35,65 @@ Hit<T> hit_of(T t, std::uint32_t id, const Crossing& crossing) {
 
 }  // namespace detail
 
+/// What a ray looks for and has found so far, told of one leaf after the other.
+template <class T, class Leaves>
+struct ClosestQuery {
+  const Ray<T>& ray;
+  decltype(std::declval<const Leaves&>().prepare(std::declval<const Ray<T>&>())) prepared;
+  Hit<T> best{};
+
+  ClosestQuery(const Leaves& leaves, const Ray<T>& its_ray) : ray(its_ray), prepared(leaves.prepare(its_ray)) {}
+
+  /// Returns the far limit.
+  T visit(const Leaves& leaves, LeafRange leaf) {
+    leaves.for_each_crossing(prepared, leaf, std::min(best.t, ray.t_max),
+                             [&](std::uint32_t id, const Crossing& crossing) {
+                               const T t = detail::parameter<T>(crossing);
+                               if (t <= best.t && detail::is_in_range(ray, t)) {
+                                 const Hit<T> hit = detail::hit_of(t, id, crossing);
+                                 if (is_closer(hit, best)) best = hit;
+                               }
+                               return true;
+                             });
+    return std::min(best.t, ray.t_max);
+  }
+};
+
+template <class T, class Leaves>
+struct AnyQuery {
+  const Ray<T>& ray;
+  decltype(std::declval<const Leaves&>().prepare(std::declval<const Ray<T>&>())) prepared;
+  bool is_found = false;
+
+  AnyQuery(const Leaves& leaves, const Ray<T>& its_ray) : ray(its_ray), prepared(leaves.prepare(its_ray)) {}
+
+  T visit(const Leaves& leaves, LeafRange leaf) {
+    leaves.for_each_crossing(prepared, leaf, ray.t_max, [&](std::uint32_t, const Crossing& crossing) {
+      is_found = detail::is_in_range(ray, detail::parameter<T>(crossing));
+      return !is_found;
+    });
+    return is_found ? -std::numeric_limits<T>::infinity() : ray.t_max;
+  }
+};
+
 /// The nearest hit; of equally near ones that of the lowest id. A miss where there is none.
 template <class T, class Leaves, class Accel, class Probe>
 Hit<T> closest_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe& probe) {
   if (!is_valid(ray)) return {};
-  auto prepared = leaves.prepare(ray);
-  Hit<T> best;
+  ClosestQuery<T, Leaves> query(leaves, ray);
   accel.traverse(
-      ray,
-      [&](LeafRange leaf) {
-        leaves.for_each_crossing(prepared, leaf, std::min(best.t, ray.t_max),
-                                 [&](std::uint32_t id, const Crossing& crossing) {
-                                   const T t = detail::parameter<T>(crossing);
-                                   if (t <= best.t && detail::is_in_range(ray, t)) {
-                                     const Hit<T> hit = detail::hit_of(t, id, crossing);
-                                     if (is_closer(hit, best)) best = hit;
-                                   }
-                                   return true;
-                                 });
-        return std::min(best.t, ray.t_max);
-      },
-      probe);
-  return best;
+      ray, [&](LeafRange leaf) { return query.visit(leaves, leaf); }, probe);
+  return query.best;
 }
 
 /// Whether anything is hit; stops at the first hit found, whichever it is.
 template <class T, class Leaves, class Accel, class Probe>
 bool any_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe& probe) {
   if (!is_valid(ray)) return false;
-  auto prepared = leaves.prepare(ray);
-  bool is_found = false;
+  AnyQuery<T, Leaves> query(leaves, ray);
   accel.traverse(
-      ray,
-      [&](LeafRange leaf) {
-        leaves.for_each_crossing(prepared, leaf, ray.t_max, [&](std::uint32_t, const Crossing& crossing) {
-          is_found = detail::is_in_range(ray, detail::parameter<T>(crossing));
-          return !is_found;
-        });
-        return is_found ? -std::numeric_limits<T>::infinity() : ray.t_max;
-      },
-      probe);
-  return is_found;
+      ray, [&](LeafRange leaf) { return query.visit(leaves, leaf); }, probe);
+  return query.is_found;
 }
 
 /// Every hit, nearest first, equal ones by id, each once however many leaves hold its primitive. A closed shape gives

@@ -39,6 +39,13 @@ class Queries {
   virtual void any_hits(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit, TraversalStats& stats,
                         Level level = Level::watertight) const = 0;
 
+  /// The same hits, for many rays that are at hand together: where the structure knows how to, they are under way side
+  /// by side (stream.h); elsewhere one by one.
+  virtual void stream_closest_hits(std::span<const Ray<T>> rays, std::span<Hit<T>> hits,
+                                   Level level = Level::watertight) const = 0;
+  virtual void stream_any_hits(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit,
+                               Level level = Level::watertight) const = 0;
+
   /// Every hit of one ray, nearest first.
   virtual std::vector<Hit<T>> all_hits(const Ray<T>& ray) const = 0;
 
@@ -50,6 +57,8 @@ class Tracer : public Queries<float>, public Queries<double> {
  public:
   using Queries<float>::closest_hits, Queries<double>::closest_hits;
   using Queries<float>::any_hits, Queries<double>::any_hits;
+  using Queries<float>::stream_closest_hits, Queries<double>::stream_closest_hits;
+  using Queries<float>::stream_any_hits, Queries<double>::stream_any_hits;
   using Queries<float>::all_hits, Queries<double>::all_hits;
   using Queries<float>::record, Queries<double>::record;
 

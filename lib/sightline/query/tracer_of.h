@@ -10,6 +10,7 @@
 
 #include "sightline/query/primitives_of.h"
 #include "sightline/query/queries.h"
+#include "sightline/query/stream.h"
 #include "sightline/query/tracer.h"
 
 namespace sightline::detail {
@@ -34,6 +35,26 @@ class QueriesOf : public Base {
                 Level level) const override {
     any(rays, is_hit, stats, level);
   }
+  void stream_closest_hits(std::span<const Ray<T>> rays, std::span<Hit<T>> hits, Level level) const override {
+    assert(rays.size() == hits.size());
+    self().template with_leaves<T>(level, [&](const auto& accel, const auto& leaves) {
+      if constexpr (can_stream<decltype(accel), decltype(leaves)>) {
+        sightline::closest_hits(accel, leaves, rays, hits);
+      } else {
+        closest_hits(rays, hits, level);
+      }
+    });
+  }
+  void stream_any_hits(std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit, Level level) const override {
+    assert(rays.size() == is_hit.size());
+    self().template with_leaves<T>(level, [&](const auto& accel, const auto& leaves) {
+      if constexpr (can_stream<decltype(accel), decltype(leaves)>) {
+        sightline::any_hits(accel, leaves, rays, is_hit);
+      } else {
+        any_hits(rays, is_hit, level);
+      }
+    });
+  }
   std::vector<Hit<T>> all_hits(const Ray<T>& ray) const override {
     NoProbe probe;
     return sightline::all_hits(self().accel(), self().indexed_leaves(), ray, probe);
@@ -43,6 +64,10 @@ class QueriesOf : public Base {
   }
 
  private:
+  template <class Accel, class Leaves>
+  static constexpr bool can_stream =
+      Steppable<std::remove_cvref_t<Accel>, T>&& FetchingLeaves<std::remove_cvref_t<Leaves>>;
+
   const Derived& self() const { return static_cast<const Derived&>(*this); }
 
   template <class Probe>
