@@ -81,17 +81,21 @@ struct KdCosts {
   double empty_share;  ///< Of the cost, where one side is empty.
 };
 
-/// The cheapest of all planes strictly inside the cell in which an event of its `count` primitives lies.
+/// The cheapest of all planes strictly inside the cell in which an event of its `count` primitives lies; of those along
+/// the cell's widest axis, if asked for and if one is worth it.
 ///
 /// Each event is a candidate with the counts so far, which need no grouping by place: among events at one place, the
 /// last end sees the count above, and the first start the count below, that are true of the plane; the others see more.
 /// The first flat one sees all flat ones above, the last sees them all below, and the cost of any other deal lies
 /// between those two.
 inline KdSplit cheapest_split(const std::array<KdEventList, 3>& lists, std::uint32_t count, const Aabb& cell,
-                              const KdCosts& costs) {
+                              const KdCosts& costs, bool is_widest_only) {
   KdSplit best{costs.intersection * count};
   const Vec3d extent = Vec3d(cell.hi) - Vec3d(cell.lo);
-  for (int axis = 0; axis < 3; ++axis) {
+  const int widest = cell.longest_axis();
+  for (int turn = 0; turn < 3; ++turn) {
+    const int axis = (widest + turn) % 3;
+    if (is_widest_only && best.axis >= 0) break;
     const float lo = cell.lo[axis], hi = cell.hi[axis];
     if (!(lo < hi)) continue;
     // Half the area of a part that is w wide is cap + w * rim. Cells without area are measured by their width.
