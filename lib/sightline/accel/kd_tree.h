@@ -129,7 +129,6 @@ void KdTree::traverse(const Ray<T>& ray, Visit&& visit, Probe& probe) const {
     if (next.is_leaf()) {
       const LeafRange leaf = next.range();
       probe.leaf(number_of(next), leaf, t_enter);
-      __builtin_prefetch(order_.data() + leaf.first);  // to name what is hit
       t_far = visit(leaf);
     } else {
       probe.node(number_of(next), t_enter);

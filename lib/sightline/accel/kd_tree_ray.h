@@ -72,8 +72,7 @@ class KdVectorRay {
   static constexpr Axes f{};
 
  public:
-  /// PaddedRay and its clip with four lanes, one an axis, of which the last is spare. Origins are moved by the margin,
-  /// by a step of their own size, and by what underflow may lose; sums round by less than the margin's second half.
+  /// PaddedRay and its clip with four lanes, one an axis, of which the last is spare.
   KdVectorRay(const Ray<float>& ray, const Aabb& bounds) {
     const auto is_axis = hn::FirstN(f, 3);
     const F origin = hn::IfThenElseZero(is_axis, hn::LoadU(f, &ray.origin.x));  // reads into the direction, and so on
@@ -86,14 +85,16 @@ class KdVectorRay {
 
     const F to_bounds = hn::Max(hn::Abs(hn::Sub(lows, origin)), hn::Abs(hn::Sub(highs, origin)));
     const F reach = hn::MaxOfLanes(f, hn::IfThenElseZero(is_axis, to_bounds));
-    constexpr float step = std::numeric_limits<float>::denorm_min();
-    const F pad = hn::Add(hn::Mul(hn::Set(f, margin<float>), reach), hn::Mul(hn::Set(f, 2 * step), size));
-    const F spacing = hn::MulAdd(hn::Set(f, 0x1p-23f), hn::Abs(origin), hn::Set(f, 4 * step));
+    // In double, since denormals of float take processors long.
+    constexpr double step = 2 * double(std::numeric_limits<float>::denorm_min());
+    const F pad = hn::Set(f, static_cast<float>(double(margin<float> * hn::GetLane(reach)) + step * hn::GetLane(size)));
     const F inverse = hn::Div(hn::Set(f, 1.0f), direction);
     // A direction too small to invert moves the ray all the same: no plane bounds it.
     const auto is_unbounded = hn::And(hn::Gt(hn::Abs(inverse), largest), hn::Ne(direction, zero));
     const F infinity = hn::Set(f, std::numeric_limits<float>::infinity());
-    const F shift = hn::CopySign(hn::IfThenElse(is_unbounded, infinity, hn::Add(pad, spacing)), inverse);
+    const F wide = hn::IfThenElse(is_unbounded, infinity, pad);
+    const F rounding = hn::Mul(hn::Set(f, 2 * std::numeric_limits<float>::epsilon()), hn::Add(hn::Abs(origin), wide));
+    const F shift = hn::CopySign(hn::Add(wide, rounding), inverse);
     const F enter = hn::Add(origin, shift), leave = hn::Sub(origin, shift);
 
     const auto is_negative = hn::Lt(inverse, zero);
