@@ -105,7 +105,7 @@ TEST(StructureCost, ScannedSurface) {
   expect_work<CylinderTree>(mesh, {5.8, 10.7, 1});
   expect_work<UniformGrid>(mesh, {19.7, 6.6, 5.1});
   expect_work<BspTree>(mesh, {4, 21, 3.3});
-  expect_work<KdTree>(mesh, {4, 26, 5.6});
+  expect_work<KdTree>(mesh, {20.9, 5.6, 2.7});
   expect_work<BoundingIntervalHierarchy>(mesh, {26.3, 28.9, 1});
 }
 
@@ -116,7 +116,7 @@ TEST(StructureCost, UnevenScene) {
   expect_work<CylinderTree>(mesh, {6.3, 6.3, 1});
   expect_work<UniformGrid>(mesh, {7.5, 5.2, 2.1});
   expect_work<BspTree>(mesh, {6.7, 12.7, 1.6});
-  expect_work<KdTree>(mesh, {5.5, 13.3, 1.5});
+  expect_work<KdTree>(mesh, {16.7, 2.5, 1.5});
   expect_work<BoundingIntervalHierarchy>(mesh, {17.9, 21.5, 1});
 }
 
@@ -131,7 +131,10 @@ TEST(StructureCost, GeneralPlanesPartTurnedSticks) {
 TEST(StructureCost, EmptySpaceIsCutOff) {
   for (const TriangleMesh& mesh : {bumpy_sphere(), uneven()}) {
     const auto rays = rays_into(mesh);
-    const Work with = work_of<KdTree>(mesh, rays), without = work_of<KdTree>(mesh, rays, {.empty_bonus = 0});
+    KdTreeOptions options{.max_leaf_size = 4, .intersection_cost = 1.5f};
+    const Work with = work_of<KdTree>(mesh, rays, options);
+    options.empty_bonus = 0;
+    const Work without = work_of<KdTree>(mesh, rays, options);
     EXPECT_LT(with.candidates, 0.9 * without.candidates);
   }
 }
@@ -156,9 +159,10 @@ TEST(StructureCost, OptionsHaveAnEffect) {
   expect_coarser<BspTree>({.intersection_cost = 10}, {.intersection_cost = 0.1f});
   expect_coarser<BspTree>({}, {.max_depth = 8});
   expect_coarser<KdTree>({.max_leaf_size = 1}, {.max_leaf_size = 32});
-  expect_coarser<KdTree>({.traversal_cost = 0.2f}, {.traversal_cost = 10});
-  expect_coarser<KdTree>({.intersection_cost = 10}, {.intersection_cost = 0.1f});
-  expect_coarser<KdTree>({}, {.max_depth = 8});
+  expect_coarser<KdTree>({.max_leaf_size = 4, .traversal_cost = 0.2f}, {.max_leaf_size = 4, .traversal_cost = 10});
+  expect_coarser<KdTree>({.max_leaf_size = 4, .intersection_cost = 10},
+                         {.max_leaf_size = 4, .intersection_cost = 0.1f});
+  expect_coarser<KdTree>({.max_leaf_size = 4}, {.max_leaf_size = 4, .max_depth = 8});
   expect_coarser<BoundingIntervalHierarchy>({.max_leaf_size = 1}, {.max_leaf_size = 32});
   expect_coarser<BoundingIntervalHierarchy>({}, {.max_depth = 8});
 }

@@ -58,6 +58,8 @@ class KdRay {
   Interval<T> range_;
 };
 
+#if HWY_TARGET != HWY_SCALAR
+
 /// The same with eight lanes, one a child. A template, so that it need not compile where there are fewer.
 template <class T>
 class KdVectorRay {
@@ -178,5 +180,12 @@ inline constexpr bool kd_has_vectors = hn::MaxLanes(hn::CappedTag<float, KdTreel
 
 template <class T>
 using KdRayOf = std::conditional_t<std::is_same_v<T, float> && kd_has_vectors, KdVectorRay<T>, KdRay<T>>;
+
+#else
+
+template <class T>
+using KdRayOf = KdRay<T>;
+
+#endif
 
 }  // namespace sightline::detail
