@@ -19,16 +19,16 @@ struct KdTreeOptions {
   float traversal_cost = 1;             ///< One plane test, relative to ...
   float intersection_cost = 0.25f;      ///< ... one primitive test; eight are made at once.
   float empty_bonus = 0.2f;             ///< Share of the cost that a split is spared when it cuts off empty space.
-  int max_depth = 0;                    ///< 0: 8 + 1.3 log2(primitives).
+  int max_depth = 0;                    ///< 0: 8 + 1.3 log2(primitives), 8 + 2 log2(primitives) for `best`.
 
   static constexpr std::array<OptionField<KdTreeOptions>, 6> fields() {
     using O = KdTreeOptions;
-    return {{{"quality", &O::quality, 0, 2, "fast: planes along the widest axis; best: more references to primitives"},
+    return {{{"quality", &O::quality, 0, 2, "fast: planes along the widest axis; best: deeper, more references"},
              {"max_leaf_size", &O::max_leaf_size, 1, 1024, "a cell that holds no more is never split"},
              {"traversal_cost", &O::traversal_cost, 0, 1000, "cost of one plane test"},
              {"intersection_cost", &O::intersection_cost, 0.001, 1000, "cost of one primitive test"},
              {"empty_bonus", &O::empty_bonus, 0, 0.99, "share of the cost spared by cutting off empty space"},
-             {"max_depth", &O::max_depth, 0, 64, "longest path of splits; 0 chooses 8 + 1.3 log2(primitives)"}}};
+             {"max_depth", &O::max_depth, 0, 64, "longest path of splits; 0 chooses"}}};
   }
 };
 
@@ -38,9 +38,10 @@ struct KdTreeOptions {
 ///   K3  No path makes more than max_depth <= 64 splits, so the traversal stack cannot overflow.
 ///   K4  A leaf refers to every primitive with a point in its cell, the part of one that a plane cuts being on both
 ///       sides of it; a primitive that only touches a plane is on its own side.
-///   K5  There are at most 16 references for each primitive, 64 in the quality `best`.
-/// The qualities `balanced` and `best` weigh the planes at every primitive's sides along all axes, `fast` along the
-/// widest axis of each cell, as long as one there is worth it.
+///   K5  There are at most 16 references for each primitive, 256 in the quality `best`.
+/// The quality `fast` seeks planes along the widest axis of each cell, as long as one there is worth it, `balanced` and
+/// `best` along all axes. `best` also allows deeper trees, which differ where long thin primitives lie askew: there a
+/// tree can halve its work again and again, at the price of memory.
 /// Wald and Havran, "On building fast kd-trees for ray tracing, and on doing that in O(N log N)", 2006.
 class KdTree {
  public:
@@ -155,12 +156,13 @@ inline KdTree KdTree::build(const Primitives& primitives, const Options& options
   validate(name, options);
   KdTree tree;
   if (primitives.size() == 0) return tree;
-  const int balanced_depth = static_cast<int>(8 + 1.3 * std::log2(primitives.size()));
+  const bool is_best = options.quality == Quality::best;
+  const int usual_depth = static_cast<int>(8 + (is_best ? 2 : 1.3) * std::log2(primitives.size()));
   const detail::KdSettings settings{
       .max_leaf_size = static_cast<std::uint32_t>(options.max_leaf_size),
-      .max_depth = options.max_depth > 0 ? options.max_depth : balanced_depth,
+      .max_depth = options.max_depth > 0 ? options.max_depth : usual_depth,
       .costs = {options.traversal_cost, options.intersection_cost, 1 - double(options.empty_bonus)},
-      .reference_limit = options.quality == Quality::best ? 64u : 16u,
+      .reference_limit = is_best ? 256u : 16u,
       .is_widest_only = options.quality == Quality::fast};
   const detail::KdSubtree binary = detail::KdTreeBuilder(primitives, settings).build(tree.bounds_);
   tree.treelets_ = detail::KdPacking(binary.nodes, tree.bounds_).pack();
