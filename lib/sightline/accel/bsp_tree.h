@@ -8,67 +8,72 @@
 ///   B3  No path exceeds max_depth <= 64, so the traversal stack cannot overflow: a path leaves one entry a node.
 ///   B4  What a cell holds below a plane has heights of at most `thickness` over it, above at least -thickness.
 ///       A polygon lying on the plane, as that which gave it does, goes to one side and is never cut.
-///   B5  Leaves hold at most reference_growth times as many references as there are primitives.
-/// B4's thickness: coordinates are relative to the scene's center, within r (half the diagonal). A unit normal and an
-/// offset rounded to float (u = 2^-24) move a point of the plane by at most u r each (Cauchy-Schwarz), 2 u r in all, so
-/// that polygons within 2 u r of a stored plane may lie on it. Building computes in double against exactly the stored
-/// planes; clipping rounds some 2^-50 r a level, at most 2^-44 r along a path. Hence thickness = 4 u r suffices.
-/// Fuchs, Kedem and Naylor, "On visible surface generation by a priori tree structures", 1980; Ize, Wald and Parker,
-/// "Ray tracing with the BSP tree", 2008; Kammaje and Mora, "A study of restricted BSP trees for ray tracing", 2007.
+///   B5  Leaves hold at most reference_limit times as many references as there are primitives.
+/// B4's thickness: coordinates are relative to the scene's center, within r (half the diagonal). A general plane's
+/// largest component is 1, so that rounding the others and the offset to float (u = 2^-24) moves heights by at most
+/// 2 u r and 2 u r (the offset is at most sqrt(3) r), and polygons within 4 u r of a stored plane may lie on it.
+/// Building computes in double against exactly the stored planes; clipping rounds some 2^-50 r a level, at most 2^-44 r
+/// along a path. Hence building takes what is within 4 u r as lying on a plane, and thickness = 8 u r suffices. Fuchs,
+/// Kedem and Naylor, "On visible surface generation by a priori tree structures", 1980; Ize, Wald and Parker, "Ray
+/// tracing with the BSP tree", 2008; Kammaje and Mora, "A study of restricted BSP trees for ray tracing", 2007; Budge,
+/// Coming, Norpchen and Joy, "Accelerated building and ray tracing of restricted BSP trees", 2008.
 
-#include <tbb/parallel_invoke.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "sightline/accel/accelerator.h"
+#include "sightline/accel/bsp_tree_builder.h"
+#include "sightline/accel/bsp_tree_nodes.h"
 #include "sightline/accel/fixed_stack.h"
-#include "sightline/accel/fragments.h"
 #include "sightline/accel/padded_ray.h"
-#include "sightline/accel/split_search.h"
 #include "sightline/math/convex_cell.h"
 
 namespace sightline {
 
 struct BspTreeOptions {
-  int max_leaf_size = 3;        ///< A node this small is never split.
-  float traversal_cost = 0.8f;  ///< One test of a general plane, relative to ...
-  float intersection_cost = 1;  ///< ... one primitive test.
-  bool general_planes = true;   ///< Off: axis planes only, which makes it a kd-tree.
-  int max_depth = 0;            ///< 0: 12 + 1.6 log2 of the primitives' number, at most 64.
+  /// fast: axis planes only, in 16 bins. balanced: 32 bins high up; below, planes of eight primitives a node.
+  /// best: all planes of all primitives from some hundred downward, and surface areas of every candidate.
+  Quality quality = Quality::balanced;
+  int max_leaf_size = 4;            ///< A node this small is never split.
+  float traversal_cost = 1;         ///< One test of a general plane, relative to ...
+  float intersection_cost = 0.25f;  ///< ... one primitive test and ...
+  float leaf_cost = 2;              ///< ... what a leaf costs however many it holds.
+  bool general_planes = true;       ///< Off: axis planes only, which makes it a kd-tree.
+  int reference_limit = 16;         ///< Leaves hold at most so many times as many references as there are primitives.
+  int max_depth = 0;                ///< 0: 12 + 1.6 log2 of the primitives' number, at most 64.
 
-  static constexpr std::array<OptionField<BspTreeOptions>, 5> fields() {
+  static constexpr std::array<OptionField<BspTreeOptions>, 8> fields() {
     using O = BspTreeOptions;
-    return {{{"max_leaf_size", &O::max_leaf_size, 1, 1 << 20, "a node this small is never split"},
+    return {{{"quality", &O::quality, 0, 2, "fast: axis planes; best: every plane and area"},
+             {"max_leaf_size", &O::max_leaf_size, 1, 1 << 20, "a node this small is never split"},
              {"traversal_cost", &O::traversal_cost, 0, 1000, "cost of testing a general plane"},
              {"intersection_cost", &O::intersection_cost, 0.001, 1000, "cost of testing a primitive"},
+             {"leaf_cost", &O::leaf_cost, 0, 1000, "cost of a leaf, however many it holds"},
              {"general_planes", &O::general_planes, 0, 1, "false: axis planes only, for comparison"},
+             {"reference_limit", &O::reference_limit, 1, 64, "most references for each primitive"},
              {"max_depth", &O::max_depth, 0, 64, "longest path; 0: from the number of primitives"}}};
   }
 };
 
 class BspTree {
-  struct Node;
-
  public:
   static constexpr std::string_view name = "bsp-tree";
   static constexpr std::string_view description =
       "planes of any orientation by a surface-area cost over convex cells (Ize, Wald and Parker 2008)";
-  static constexpr std::size_t node_bytes = 20;
+  static constexpr std::size_t node_bytes = sizeof(BspNodes::Word);
   using Options = BspTreeOptions;
 
-  /// \throws std::invalid_argument for options out of their limits, std::length_error beyond 2^28 primitives or 2^29
+  /// \throws std::invalid_argument for options out of their limits, std::length_error beyond 2^26 primitives or 2^29
   /// nodes.
   static BspTree build(const Primitives& primitives, const Options& options = {});
 
-  std::size_t memory_bytes() const { return nodes_.size() * sizeof(Node) + order_.size() * sizeof(std::uint32_t); }
-  std::span<const std::uint32_t> leaf_order() const { return order_; }
+  std::size_t memory_bytes() const { return nodes_.memory_bytes(); }
+  std::span<const std::uint32_t> leaf_order() const { return nodes_.order(); }
   bool is_order_final() const { return true; }
 
   template <class T, LeafVisitor<T> Visit, class Probe>
@@ -79,41 +84,19 @@ class BspTree {
   void for_each_cell(See&& see) const;
   template <class See>
   void for_each_leaf(See&& see) const {
-    for (const Node& node : nodes_) {
-      if (node.kind() == leaf) see(node.range());
-    }
+    nodes_.for_each_leaf(see);
   }
 
  private:
   static constexpr int stack_size = 64;
-  static constexpr std::uint32_t reference_growth = 12;      // B5
-  static constexpr std::uint32_t size_limit = 1u << 28;      ///< Keeps positions, by B5, within 32 bits.
-  static constexpr std::size_t node_limit = (1u << 29) - 1;  ///< Links have 29 bits for distances and counts.
-  static_assert(std::uint64_t(size_limit) * reference_growth < 1ull << 32 && size_limit <= node_limit);
+  static constexpr std::uint32_t size_limit = 1u << 26;  ///< Keeps positions, by B5, within 32 bits.
 
-  /// Axis planes know their axis, which saves traversal the dot products.
-  enum Kind : std::uint32_t { x_plane, y_plane, z_plane, general_plane, leaf };
-  struct Node {
-    Vec3f normal{0};         ///< Below is normal . (x - center) <= offset.
-    std::uint32_t bits = 0;  ///< The offset; of a leaf the first position.
-    std::uint32_t link = 0;  ///< Kind, and eight times the distance to the child above, or the leaf's count.
+  static constexpr double axis_cost_share = 0.7;  ///< Of a general plane's test.
 
-    Kind kind() const { return static_cast<Kind>(link & 7); }
-    float offset() const { return std::bit_cast<float>(bits); }
-    std::uint32_t to_above() const { return link >> 3; }
-    LeafRange range() const { return {bits, link >> 3}; }
-    Plane plane() const { return {Vec3d(normal), offset()}; }
+  template <class T>
+  struct PlaneRay;
 
-    static Node inner(const SplitPlane& split) {
-      return {split.normal, std::bit_cast<std::uint32_t>(split.offset), static_cast<std::uint32_t>(split.axis)};
-    }
-  };
-  static_assert(sizeof(Node) == node_bytes);
-
-  class Builder;
-
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> order_;
+  BspNodes nodes_;
   Aabb bounds_;
   Vec3d center_{0};
   double thickness_ = 0;
@@ -121,77 +104,115 @@ class BspTree {
 
 // ---- Traversal
 
-/// The ray is in the lower half-space while its height is at most w = thickness + pad times the normal's 1-norm: then
-/// and only then can a point within `pad` of the ray, per axis, have a height of at most `thickness` (M2 and B4). A
-/// unit vector's 1-norm is at most the square root of 3. Heights are rounded some ten times in double, a 2^-49 of the
-/// reach, against the half of the margin, at least 2^-35 of it, that M1 leaves for that.
+/// What a plane test needs of a ray.
+///   R1  Widths: a point within `pad` of the ray, per axis, has a height of at most the normal's 1-norm times pad over
+///       the ray's; that norm is 1 of an axis plane and at most 3 of a general one. With B4, the ray is below a plane
+///       while its height is at most `width`, and above while it is at least -width.
+///   R2  With u the unit roundoff of T and N the 1-norm, all within the bounds: the origin is off by N u reach, the
+///       height by 4 N u reach more, the slope moves a point by 2 N u reach, adding the width and dividing by 4 N u
+///       reach: 11 N u reach, of the 32 N u reach and more that M1 leaves.
+///   R3  Where the direction or the bounds are so large or small that numbers might overflow or underflow, no general
+///       plane parts anything.
+template <class T>
+struct BspTree::PlaneRay {
+  T origin[5], direction[5];  ///< Relative to the center; repeated, so that every axis has two after it.
+  T enter[3], leave[3], inverse[3];
+  T width;  ///< Of general planes.
+  std::uint32_t falls[3];
+
+  PlaneRay(const PaddedRay<T>& padded, const Vec3d& center, double thickness) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double thick = padded.is_negative[axis] ? -thickness : thickness;
+      origin[axis] = static_cast<T>(static_cast<double>(padded.origin[axis]) - center[axis]);
+      direction[axis] = padded.direction[axis];
+      enter[axis] = static_cast<T>(static_cast<double>(padded.enter_origin[axis]) + thick);
+      leave[axis] = static_cast<T>(static_cast<double>(padded.leave_origin[axis]) - thick);
+      inverse[axis] = padded.inverse[axis];
+      falls[axis] = padded.is_negative[axis];
+    }
+    for (int axis = 0; axis < 2; ++axis) origin[axis + 3] = origin[axis], direction[axis + 3] = direction[axis];
+    const auto is_ordinary = [](T x) { return x > T(0x1p-60) && x < T(0x1p60); };
+    const bool is_safe = is_ordinary(max_norm(padded.direction)) && is_ordinary(padded.pad);
+    width = is_safe ? static_cast<T>(thickness) + 3 * padded.pad : std::numeric_limits<T>::infinity();
+  }
+};
+
+/// Seen as if the ray rises, it leaves the near side where its height is `width`, and enters the far side at -width. A
+/// NaN, of a ray parallel to the plane at just that height, keeps both sides.
 template <class T, LeafVisitor<T> Visit, class Probe>
 void BspTree::traverse(const Ray<T>& ray, Visit&& visit, Probe& probe) const {
-  if (nodes_.empty()) return;
+  if (nodes_.size() == 0) return;
   const PaddedRay<T> padded(ray, bounds_);
   const Interval<T> inside = padded.clip(bounds_, padded.t_max);
-  if (inside.lo > inside.hi) return;
+  if (inside.is_empty()) return;
 
-  const Vec3d origin = Vec3d(ray.origin) - center_, direction(ray.direction);
-  const double w = thickness_ + 1.7321 * static_cast<double>(padded.pad);
-  struct Visited {
+  const PlaneRay<T> planes(padded, center_, thickness_);
+  struct Waiting {
     std::uint32_t node;
-    double enter, leave;
+    T enter, leave;
   };
-  FixedStack<Visited, stack_size> waiting;
-  Visited at{0, inside.lo, inside.hi};
-  T far = padded.t_max;
+  FixedStack<Waiting, stack_size> waiting;  // B3
+  std::uint32_t at = 0;
+  T enter = inside.lo, leave = inside.hi, far = padded.t_max;
   for (;;) {
-    while (nodes_[at.node].kind() != leaf) {
-      const Node& node = nodes_[at.node];
-      probe.node(at.node, at.enter);
-      const Kind kind = node.kind();
-      double height, slope;
-      if (kind == general_plane) {
-        const Vec3d normal(node.normal);
-        height = glm::dot(normal, origin) - node.offset();
-        slope = glm::dot(normal, direction);
+    BspNodes::Word word = nodes_[at];
+    while (word.kind() != BspNodes::leaf) {
+      probe.node(at, enter);
+      const std::uint32_t kind = word.kind();
+      T near_leave, far_enter;
+      std::uint32_t below = at + 1, falls;
+      if (kind < BspNodes::general_plane) {
+        near_leave = (word.offset() - planes.leave[kind]) * planes.inverse[kind];
+        far_enter = (word.offset() - planes.enter[kind]) * planes.inverse[kind];
+        falls = planes.falls[kind];
       } else {
-        height = origin[kind] - node.offset();
-        slope = direction[kind];
+        const std::uint32_t axis = kind - BspNodes::general_plane;
+        const BspNodes::Word rest = nodes_[at + 1];
+        const T* const o = planes.origin + axis;
+        const T* const d = planes.direction + axis;
+        const T depth = word.offset() - (o[0] + rest.first() * o[1] + rest.second() * o[2]);
+        const T slope = d[0] + rest.first() * d[1] + rest.second() * d[2];
+        const T inverse = 1 / slope;
+        falls = std::signbit(slope);
+        const T width = falls ? -planes.width : planes.width;
+        near_leave = (depth + width) * inverse;
+        far_enter = (depth - width) * inverse;
+        ++below;
       }
-      // Seen as if the ray rises: it leaves the near side where its height is w, and enters the far side at -w. A NaN,
-      // of a ray parallel to the plane at just that height, keeps both sides.
-      const bool is_falling = std::signbit(slope);
-      const double start = is_falling ? -height : height, rise = std::fabs(slope);
-      const double near_leave = (w - start) / rise, far_enter = (-w - start) / rise;
-      const std::uint32_t below = at.node + 1, above = at.node + node.to_above();
-      const std::uint32_t near_side = is_falling ? above : below, far_side = is_falling ? below : above;
-      if (near_leave < at.enter) {
-        at.node = far_side;  // entered already
-      } else if (far_enter > at.leave) {
-        at.node = near_side;
+      const std::uint32_t above = at + word.distance();  // B2
+      const std::uint32_t near_side = falls ? above : below, far_side = falls ? below : above;
+      if (near_leave < enter) {
+        at = far_side;  // entered already
+      } else if (far_enter > leave) {
+        at = near_side;
       } else {
-        waiting.push({far_side, far_enter > at.enter ? far_enter : at.enter, at.leave});
-        at = {near_side, at.enter, near_leave < at.leave ? near_leave : at.leave};
+        waiting.push({far_side, far_enter > enter ? far_enter : enter, leave});
+        at = near_side;
+        leave = near_leave < leave ? near_leave : leave;
       }
+      word = nodes_[at];
     }
-    const LeafRange range = nodes_[at.node].range();
+    const LeafRange range = word.range();
     if (range.count == 0) {
-      probe.node(at.node, at.enter);
+      probe.node(at, enter);
     } else {
-      probe.leaf(at.node, range, at.enter);
+      probe.leaf(at, range, enter);
       far = visit(range);
       if (far < ray.t_min) return;
     }
     for (;;) {
       if (waiting.empty()) return;
-      at = waiting.pop();
-      if (!(at.enter > static_cast<double>(far))) break;
-      probe.cull(at.node, at.enter);
+      const Waiting next = waiting.pop();
+      at = next.node, enter = next.enter, leave = next.leave < far ? next.leave : far;
+      if (!(enter > far)) break;
+      probe.cull(at, enter);
     }
-    at.leave = at.leave > static_cast<double>(far) ? static_cast<double>(far) : at.leave;
   }
 }
 
 template <class See>
 void BspTree::for_each_cell(See&& see) const {
-  if (nodes_.empty()) return;
+  if (nodes_.size() == 0) return;
   struct Pending {
     std::uint32_t node;
     int depth;
@@ -203,124 +224,21 @@ void BspTree::for_each_cell(See&& see) const {
   while (!pending.empty()) {
     const Pending at = std::move(pending.back());
     pending.pop_back();
-    const Node& node = nodes_[at.node];
-    const bool is_leaf = node.kind() == leaf;
-    see(Cell{at.cell.polyhedron(center_), at.depth, is_leaf, is_leaf ? node.range() : LeafRange{}, at.node});
+    const BspNodes::Word word = nodes_[at.node];
+    const bool is_leaf = word.kind() == BspNodes::leaf;
+    see(Cell{at.cell.polyhedron(center_), at.depth, is_leaf, is_leaf ? word.range() : LeafRange{}, at.node});
     if (is_leaf) continue;
-    const Vec3d normal(node.normal);
-    Pending above{at.node + node.to_above(), at.depth + 1, {}}, below{at.node + 1, at.depth + 1, {}};
-    at.cell.keep_below({-normal, -(node.offset() - thickness_)}, tolerance, above.cell);
-    at.cell.keep_below({normal, node.offset() + thickness_}, tolerance, below.cell);
+    const Plane plane = nodes_.split(at.node).plane(center_);
+    Pending above{at.node + word.distance(), at.depth + 1, {}};
+    Pending below{at.node + BspNodes::words_of(word.kind()), at.depth + 1, {}};
+    at.cell.keep_below({-plane.normal, -(plane.offset - thickness_)}, tolerance, above.cell);
+    at.cell.keep_below({plane.normal, plane.offset + thickness_}, tolerance, below.cell);
     pending.push_back(std::move(above));
     pending.push_back(std::move(below));
   }
 }
 
 // ---- Construction
-
-/// Builds one subtree, depth first.
-class BspTree::Builder {
- public:
-  struct Scene {
-    const Primitives& primitives;
-    Options options;
-    Vec3d center;
-    double thickness;
-    int max_depth;
-  };
-  explicit Builder(const Scene& scene)
-      : scene_(scene),
-        search_(scene.primitives, scene.center, scene.thickness / 2, costs_of(scene.options),
-                scene.options.general_planes) {}
-
-  /// `budget` is how many references the subtree's leaves may hold (B5), at least as many as there are fragments.
-  void build(const ConvexCell& cell, const Fragments& fragments, double budget, int depth) {
-    const auto& [primitives, options, center, thickness, max_depth] = scene_;
-    const auto is_never_split = [&](const Fragments& of, int at_depth) {
-      return of.size() <= static_cast<std::uint32_t>(options.max_leaf_size) || at_depth >= max_depth;
-    };
-    if (is_never_split(fragments, depth)) return add_leaf(fragments);
-    const std::optional<SplitSearch::Choice> choice = search_.best(cell, fragments);
-    if (!choice) return add_leaf(fragments);
-    if (static_cast<int>(levels_.size()) <= depth) levels_.resize(depth + 1);
-    if (!levels_[depth]) levels_[depth] = std::make_unique<Level>();
-    Level& level = *levels_[depth];
-    const Plane plane = choice->split.plane();
-    fragments.split(plane, thickness / 2, choice->keeps_on_below, primitives, center, level.below, level.above);
-    const double share = budget / (double(level.below.size()) + double(level.above.size()));
-    if (share < 1 || std::min(level.below.size(), level.above.size()) == fragments.size()) return add_leaf(fragments);
-    const double tolerance = thickness * 0x1p-20;
-    if (!is_never_split(level.below, depth + 1)) cell.keep_below(plane, tolerance, level.cell_below);
-    if (!is_never_split(level.above, depth + 1)) {
-      cell.keep_below({-plane.normal, -plane.offset}, tolerance, level.cell_above);
-    }
-    const std::size_t inner = nodes_.size();
-    add_node(Node::inner(choice->split));
-    const auto build_below = [&](Builder& builder) {
-      builder.build(level.cell_below, level.below, share * level.below.size(), depth + 1);
-    };
-    const auto build_above = [&](Builder& builder) {
-      builder.build(level.cell_above, level.above, share * level.above.size(), depth + 1);
-    };
-    const auto link_above = [&] { nodes_[inner].link |= static_cast<std::uint32_t>(nodes_.size() - inner) << 3; };
-    if (fragments.size() < parallel_size) {
-      build_below(*this);
-      link_above();
-      build_above(*this);
-    } else {
-      Builder lower(scene_), upper(scene_);
-      tbb::parallel_invoke([&] { build_below(lower); }, [&] { build_above(upper); });
-      append(lower);
-      link_above();
-      append(upper);
-    }
-  }
-
-  void finish(BspTree& tree) {
-    tree.nodes_ = std::move(nodes_);
-    tree.order_ = std::move(order_);
-    tree.nodes_.shrink_to_fit();
-    tree.order_.shrink_to_fit();
-  }
-
- private:
-  static constexpr std::uint32_t parallel_size = 4096;  ///< Subtrees this large are built side by side.
-
-  struct Level {
-    Fragments below, above;
-    ConvexCell cell_below, cell_above;
-  };
-
-  void add_node(const Node& node) {
-    if (nodes_.size() == node_limit) throw std::length_error("bsp-tree: more nodes than a link can span");
-    nodes_.push_back(node);
-  }
-
-  void add_leaf(const Fragments& fragments) {
-    add_node({Vec3f(0), static_cast<std::uint32_t>(order_.size()), fragments.size() << 3 | leaf});
-    for (std::uint32_t i = 0; i < fragments.size(); ++i) order_.push_back(fragments[i].id);
-  }
-
-  void append(const Builder& subtree) {
-    const auto shift = static_cast<std::uint32_t>(order_.size());
-    for (Node node : subtree.nodes_) {
-      if (node.kind() == leaf) node.bits += shift;
-      add_node(node);
-    }
-    order_.insert(order_.end(), subtree.order_.begin(), subtree.order_.end());
-  }
-
-  static constexpr double axis_cost_share = 0.7;  ///< Of a general plane's test.
-  static SplitSearch::Costs costs_of(const Options& options) {
-    return {axis_cost_share * options.traversal_cost, options.traversal_cost, options.intersection_cost};
-  }
-
-  const Scene& scene_;
-  SplitSearch search_;
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> order_;
-  std::vector<std::unique_ptr<Level>> levels_;  ///< By depth, reused from node to node.
-};
 
 inline BspTree BspTree::build(const Primitives& primitives, const Options& options) {
   validate(name, options);
@@ -331,20 +249,28 @@ inline BspTree BspTree::build(const Primitives& primitives, const Options& optio
                             std::to_string(size_limit));
   }
   if (count == 0) return tree;
-  for (std::uint32_t id = 0; id < count; ++id) tree.bounds_.extend(primitives.bounds(id));
+  BspBoxes boxes;
+  boxes.references.resize(count);
+  tbb::parallel_for(0u, count, [&](std::uint32_t id) { boxes.references[id] = {primitives.bounds(id), id}; });
+  for (const BspBoxes::Reference& reference : boxes.references) tree.bounds_.extend(reference.box);
   const Vec3d lo(tree.bounds_.lo), hi(tree.bounds_.hi);
   tree.center_ = 0.5 * lo + 0.5 * hi;
   const double radius = 0.5 * glm::length(hi - lo);
-  tree.thickness_ = 0x1p-22 * radius + 4 * double(std::numeric_limits<float>::denorm_min());
+  tree.thickness_ = 0x1p-21 * radius + 4 * double(std::numeric_limits<float>::denorm_min());
   const int automatic_depth = std::min(stack_size, static_cast<int>(12 + 1.6 * std::log2(double(count))));
-  const Builder::Scene scene{primitives, options, tree.center_, tree.thickness_,
-                             options.max_depth > 0 ? options.max_depth : automatic_depth};
-  // A cell as thick as its planes at least, so that flat scenes have areas to weigh.
-  const Vec3d half = 0.5 * (hi - lo) + tree.thickness_;
-  Builder builder(scene);
-  builder.build(ConvexCell::box(-half, half), Fragments::of(primitives, tree.center_), double(reference_growth) * count,
-                0);
-  builder.finish(tree);
+  const BspCosts costs{axis_cost_share * options.traversal_cost, options.traversal_cost, options.intersection_cost,
+                       options.leaf_cost};
+  const BspPlan plan{primitives,
+                     tree.center_,
+                     tree.thickness_,
+                     static_cast<std::uint32_t>(options.max_leaf_size),
+                     options.max_depth > 0 ? options.max_depth : automatic_depth,
+                     options.general_planes && options.quality != Quality::fast,
+                     costs,
+                     BspEffort::of(options.quality)};
+  BspBuilder builder(plan);
+  builder.build(tree.bounds_, boxes, double(options.reference_limit) * count, 0);
+  tree.nodes_ = builder.take_nodes();
   return tree;
 }
 

@@ -2,6 +2,7 @@
 /// The parts of primitives that lie in a cell.
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -31,16 +32,42 @@ class Fragments {
     std::uint32_t is_polygon : 1;
   };
 
-  /// All primitives, whole.
-  static Fragments of(const Primitives& primitives, const Vec3d& center) {
-    Fragments all;
-    all.items_.reserve(primitives.size());
-    for (std::uint32_t id = 0; id < primitives.size(); ++id) {
-      const Hull hull = primitives.hull(id);
-      for (const Vec3f& p : hull.points) all.points_.push_back(Vec3d(p) - center);
-      all.add(id, hull.is_polygon);
+  /// One more fragment: the part of primitive `id`, of which `bounds` are known, within a box; none where they are more
+  /// than the thickness apart.
+  void add_within(std::uint32_t id, const Aabb& bounds, const Aabb& box, double thickness, const Primitives& primitives,
+                  const Vec3d& center) {
+    const Hull hull = primitives.hull(id);
+    if (!hull.is_polygon) {
+      for (const Vec3f& p : hull_of(bounds).points) points_.push_back(Vec3d(p) - center);
+      return add(id, false);
     }
-    return all;
+    std::array<Vec3d, 32> corners, kept;  // a face makes one corner more of a convex polygon's
+    int count = 0;
+    for (const Vec3f& p : hull.points) corners[count++] = Vec3d(p) - center;
+    for (int face = 0; face < 6 && count > 0; ++face) {
+      const int axis = face >> 1;
+      const double sign = face & 1 ? 1 : -1, offset = double(face & 1 ? box.hi[axis] : box.lo[axis]) - center[axis];
+      const auto height = [&](const Vec3d& p) { return sign * (p[axis] - offset); };
+      int kept_count = 0;
+      for (int i = 0; i < count; ++i) {
+        const Vec3d &at = corners[i], &next = corners[i + 1 == count ? 0 : i + 1];
+        const double from = height(at), to = height(next);
+        if (from <= thickness) kept[kept_count++] = at;
+        if ((from < -thickness && to > thickness) || (from > thickness && to < -thickness)) {
+          kept[kept_count++] = at + (from / (from - to)) * (next - at);
+        }
+      }
+      corners = kept;
+      count = kept_count;
+    }
+    if (count == 0) return;
+    points_.insert(points_.end(), corners.begin(), corners.begin() + count);
+    add(id, true);
+  }
+
+  void clear() {
+    items_.clear();
+    points_.clear();
   }
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(items_.size()); }
@@ -95,11 +122,6 @@ class Fragments {
   }
 
  private:
-  void clear() {
-    items_.clear();
-    points_.clear();
-  }
-
   /// Makes a fragment of the points that are in none yet.
   void add(std::uint32_t id, bool is_polygon) {
     if (points_.size() > std::numeric_limits<std::uint32_t>::max()) {

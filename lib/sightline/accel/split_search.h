@@ -8,159 +8,148 @@
 #include <optional>
 #include <vector>
 
+#include "sightline/accel/bsp_tree_nodes.h"
 #include "sightline/accel/fragments.h"
+#include "sightline/accel/options.h"
 #include "sightline/math/convex_cell.h"
 #include "sightline/math/rounding.h"
 
 namespace sightline {
 
-/// A plane as a tree stores it: below is normal . x <= offset.
-struct SplitPlane {
-  static constexpr int general = 3;
+/// What examining nodes is taken to cost.
+struct BspCosts {
+  double axis_plane, general_plane;  ///< One node's test.
+  double primitive;                  ///< One candidate of a leaf; several are tested at once, ...
+  double leaf;                       ///< ... so that a leaf with any candidates costs this beforehand.
 
-  Vec3f normal{0};
-  float offset = 0;
-  int axis = general;  ///< Whose unit vector the normal is, or `general`.
+  double plane(const SplitPlane& split) const { return split.is_general ? general_plane : axis_plane; }
+  double tests(double count) const { return count > 0 ? leaf + primitive * count : 0; }
+};
 
-  Plane plane() const { return {Vec3d(normal), offset}; }
+/// How thoroughly planes are sought.
+struct BspEffort {
+  std::uint32_t general_size;       ///< So few primitives are divided by planes of any orientation.
+  std::uint32_t exhaustive_size;    ///< So few have all the axis planes at their bounds tried.
+  std::uint32_t sampled_fragments;  ///< Those whose own and edge planes are tried.
+  int bins;                         ///< Along each axis, for more.
+  std::ptrdiff_t exact_costs;       ///< Candidates that have their areas computed; the others' are only estimated.
 
-  static SplitPlane across(int axis, float offset) {
-    SplitPlane split{Vec3f(0), offset, axis};
-    split.normal[axis] = 1;
-    return split;
+  static BspEffort of(Quality quality) {
+    if (quality == Quality::fast) return {0, 0, 0, 16, 16};
+    if (quality == Quality::balanced) return {64, 48, 8, 32, 8};
+    return {256, 128, 128, 64, 1 << 30};
   }
 };
 
 /// Holds the scratch of many searches. Candidates are axis planes at the fragments' bounds, the polygons' own planes
-/// and the planes through their edges. Few fragments have all of theirs tried. Of many, bins along the axes are tried,
-/// and bins along the normals of a few of them, counted on a bounded sample: a bounded effort a fragment in either
-/// case.
+/// and the planes through their edges, and those parallel to them that touch what the cell holds from outside. Of many
+/// fragments, bins along the axes and along the normals of a few of them are tried instead, counted on a bounded
+/// sample: a bounded effort a fragment in either case.
 class SplitSearch {
  public:
-  struct Costs {
-    double axis_plane, general_plane, primitive;
-  };
   struct Choice {
     SplitPlane split;
+    double cost;
     bool keeps_on_below;  ///< On which side polygons belong that lie on the plane: that of less area.
   };
 
-  /// Coordinates are relative to `center`; fragments within `thickness` of a plane lie on it.
-  SplitSearch(const Primitives& primitives, const Vec3d& center, double thickness, const Costs& costs,
-              bool allow_general)
-      : primitives_(primitives), center_(center), thickness_(thickness), costs_(costs), allow_general_(allow_general) {}
+  /// Fragments are relative to `center`; those within `thickness` of a plane lie on it.
+  SplitSearch(const Primitives& primitives, const Vec3d& center, double thickness, const BspCosts& costs,
+              const BspEffort& effort)
+      : primitives_(primitives), center_(center), thickness_(thickness), costs_(costs), effort_(effort) {}
 
-  /// None where no plane makes the cell cheaper than testing all it holds.
-  std::optional<Choice> best(const ConvexCell& cell, const Fragments& fragments) {
-    best_.reset();
-    best_cost_ = costs_.primitive * fragments.size();
-    if (!(cell.area() > 0)) return best_;
-    fragments.size() > exhaustive_size ? try_bins(cell, fragments) : try_all(cell, fragments);
-    return best_;
+  /// None where no plane makes the cell cheaper than `limit`. The fragments stand for `weight` times as many.
+  std::optional<Choice> best(const ConvexCell& cell, const Fragments& fragments, double limit, bool allow_general,
+                             double weight = 1) {
+    limit_ = limit;
+    weight_ = weight;
+    candidates_.clear();
+    if (!(cell.area() > 0)) return std::nullopt;
+    const bool is_exhaustive = fragments.size() <= effort_.exhaustive_size;
+    for (int axis = 0; axis < 3; ++axis) {
+      const SplitPlane split = SplitPlane::across(axis, 0);
+      measure_each(split, fragments, 1);
+      is_exhaustive ? sweep(split, cell) : try_bins(split, cell);
+    }
+    if (!allow_general) return best_of_candidates(cell);
+    if (is_exhaustive) pack(fragments);
+    const std::uint32_t step = std::max(1u, fragments.size() / sampled_counts);
+    const std::uint64_t samples = std::min(effort_.sampled_fragments, fragments.size());
+    for (std::uint64_t sample = 0; sample < samples; ++sample) {
+      const auto i = static_cast<std::uint32_t>((2 * sample + 1) * fragments.size() / (2 * samples));
+      for (const Plane& plane : primitives_.planes(fragments[i].id)) {
+        const std::optional<SplitPlane> split = SplitPlane::general(plane, center_);
+        if (!split) continue;
+        if (is_exhaustive) {
+          measure_packed(*split, fragments.size());
+        } else {
+          measure_each(*split, fragments, step);
+          try_bins(*split, cell);
+        }
+        try_general(*split, cell);
+      }
+    }
+    return best_of_candidates(cell);
   }
 
  private:
-  static constexpr std::uint32_t exhaustive_size = 48;   ///< So many fragments still have all their planes tried.
-  static constexpr std::uint32_t sampled_normals = 8;    ///< Fragments whose normals are tried above that.
   static constexpr std::uint32_t sampled_counts = 2048;  ///< Fragments counted, at least, for a general plane.
-  static constexpr int bin_count = 32;
+  static constexpr int most_bins = 64;
 
   struct Counts {
     double below = 0, above = 0, on = 0;  ///< Those that cross count below and above.
   };
+  struct Candidate {
+    double estimate;  ///< Of the cost.
+    SplitPlane split;
+    Counts counts;
+  };
 
-  /// The plane as stored; none for axis planes, which the fragments' bounds offer, and for what float cannot hold.
-  std::optional<SplitPlane> stored(const Plane& plane) const {
-    const double length = glm::length(plane.normal);
-    const Vec3f normal(plane.normal / length);
-    const auto offset = static_cast<float>((plane.offset - glm::dot(plane.normal, center_)) / length);
-    if (!is_finite(normal) || !std::isfinite(offset)) return std::nullopt;
-    if ((normal.x == 0) + (normal.y == 0) + (normal.z == 0) >= 2) return std::nullopt;
-    return SplitPlane{normal, offset, SplitPlane::general};
-  }
-
-  double plane_cost(const SplitPlane& split) const {
-    return split.axis == SplitPlane::general ? costs_.general_plane : costs_.axis_plane;
-  }
-
-  /// A lower bound of the cost before any area is computed. With the plane at the share x of the cell's extent along
-  /// its normal, the part below contains the cell shrunk by x about its lowest point, so its area is at least x^2 of
-  /// the whole; likewise (1 - x)^2 above; and both together are at least the whole.
-  double least_cost(const SplitPlane& split, double x, double below, double above) const {
-    const double y = 1 - x;
-    return plane_cost(split) + costs_.primitive * (x * x * below + y * y * above + 2 * x * y * std::min(below, above));
-  }
-
-  /// `lowest` and `highest` are the cell's heights over the plane.
-  void weigh(const SplitPlane& split, const ConvexCell& cell, double lowest, double highest, const Counts& counts) {
+  /// Takes the plane for a candidate, with an estimate of its cost. With the plane at the share x of the cell's extent,
+  /// some x of the surface lies below, and the section is as large as the cell's projection along the normal where the
+  /// cell is a prism, and 4 x (1 - x) of that where it is a ball; the estimate lies between.
+  void consider(const SplitPlane& split, const Counts& counts) {
+    const double offset = split.plane(center_).offset;
+    const double lowest = cell_extent_.lo - offset, highest = cell_extent_.hi - offset;
     if (!(lowest < 0 && highest > 0)) return;
-    if (least_cost(split, -lowest / (highest - lowest), counts.below, counts.above) >= best_cost_) return;
-    ConvexCell::Heights heights;
-    cell.measure(split.plane(), heights);
-    const ConvexCell::Areas areas = cell.areas(heights);
-    const double tests =
-        areas.below * counts.below + areas.above * counts.above + std::min(areas.below, areas.above) * counts.on;
-    const double cost = plane_cost(split) + costs_.primitive * tests / cell.area();
-    if (!(cost < best_cost_)) return;
-    best_cost_ = cost;
-    best_ = Choice{split, areas.below <= areas.above};
+    const Counts all{weight_ * counts.below, weight_ * counts.above, weight_ * counts.on};
+    const double x = -lowest / (highest - lowest), section = section_ * std::sqrt(4 * x * (1 - x));
+    const double estimate = costs_.plane(split) + std::min(1.0, x + section) * costs_.tests(all.below) +
+                            std::min(1.0, 1 - x + section) * costs_.tests(all.above);
+    if (estimate < 1.5 * limit_) candidates_.push_back({estimate, split, all});
   }
 
-  // Many fragments: bins.
-
-  void try_bins(const ConvexCell& cell, const Fragments& fragments) {
-    for (int axis = 0; axis < 3; ++axis) try_normal(SplitPlane::across(axis, 0), cell, fragments, 1);
-    if (!allow_general_) return;
-    const std::uint32_t step = std::max(1u, fragments.size() / sampled_counts);
-    for (std::uint64_t sample = 0; sample < sampled_normals; ++sample) {
-      const std::uint64_t i = (2 * sample + 1) * fragments.size() / (2 * sampled_normals);
-      for (const Plane& plane : primitives_.planes(fragments[static_cast<std::uint32_t>(i)].id)) {
-        if (const auto split = stored(plane)) try_normal(*split, cell, fragments, step);
+  /// Areas are what takes time, so that they are computed for the most promising candidates only.
+  std::optional<Choice> best_of_candidates(const ConvexCell& cell) {
+    std::optional<Choice> best;
+    double best_cost = limit_;
+    const auto last = candidates_.begin() + std::min(std::ssize(candidates_), effort_.exact_costs);
+    std::nth_element(candidates_.begin(), last, candidates_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.estimate < b.estimate; });
+    for (auto candidate = candidates_.begin(); candidate != last; ++candidate) {
+      const auto& [estimate, split, counts] = *candidate;
+      ConvexCell::Heights heights;
+      cell.measure(split.plane(center_), heights);
+      const ConvexCell::Areas areas = cell.areas(heights);
+      const bool on_below = areas.below <= areas.above;
+      const double tests = areas.below * costs_.tests(counts.below + (on_below ? counts.on : 0)) +
+                           areas.above * costs_.tests(counts.above + (on_below ? 0 : counts.on));
+      const double cost = costs_.plane(split) + tests / cell.area();
+      if (cost < best_cost) {
+        best_cost = cost;
+        best = Choice{split, cost, on_below};
       }
     }
+    return best;
   }
 
-  /// Planes parallel to the split, between bins; a general plane itself, too. Every step-th fragment is counted.
-  void try_normal(const SplitPlane& split, const ConvexCell& cell, const Fragments& fragments, std::uint32_t step) {
+  void measure_cell(const SplitPlane& split, const ConvexCell& cell) {
     const Vec3d normal(split.normal);
-    extents_.clear();
-    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    for (std::uint32_t i = 0; i < fragments.size(); i += step) {
-      const Interval<double> extent = extent_of(fragments.points(fragments[i]), normal);
-      extents_.push_back(extent);
-      lowest = std::min(lowest, extent.lo);
-      highest = std::max(highest, extent.hi);
-    }
-    const double weight = static_cast<double>(fragments.size()) / static_cast<double>(extents_.size());
-    const Interval<double> cell_extent = cell.extent(normal);
-    if (split.axis == SplitPlane::general) {
-      const double offset = split.offset;
-      std::uint32_t below = 0, above = 0, on = 0;
-      for (const auto& [lo, hi] : extents_) {
-        below += lo < offset - thickness_;
-        above += hi > offset + thickness_;
-        on += !(lo < offset - thickness_) && !(hi > offset + thickness_);
-      }
-      weigh(split, cell, cell_extent.lo - offset, cell_extent.hi - offset,
-            {weight * below, weight * above, weight * on});
-    }
-    std::array<std::uint32_t, bin_count> starts{}, ends{};
-    const double scale = bin_count / (highest - lowest);
-    for (const auto& [lo, hi] : extents_) {
-      ++starts[clamp_to_index((lo - lowest) * scale, bin_count)];
-      ++ends[clamp_to_index((hi - lowest) * scale, bin_count)];
-    }
-    double below = 0, above = static_cast<double>(extents_.size());
-    for (int bin = 0; bin <= bin_count; ++bin) {
-      const double offset = bin == bin_count ? highest : lowest + (highest - lowest) * bin / bin_count;
-      SplitPlane parallel = split;
-      parallel.offset = static_cast<float>(offset);
-      weigh(parallel, cell, cell_extent.lo - offset, cell_extent.hi - offset, {weight * below, weight * above, 0});
-      if (bin == bin_count) break;
-      below += starts[bin];
-      above -= ends[bin];
-    }
+    cell_extent_ = cell.extent(normal);
+    section_ = cell.shadow(normal) / cell.area();
   }
+
+  // Extents of the fragments along a normal.
 
   static Interval<double> extent_of(std::span<const Vec3d> points, const Vec3d& normal) {
     Interval<double> extent;
@@ -172,43 +161,28 @@ class SplitSearch {
     return extent;
   }
 
-  // Few fragments: every candidate.
+  /// Of every step-th fragment.
+  void measure_each(const SplitPlane& split, const Fragments& fragments, std::uint32_t step) {
+    const Vec3d normal(split.normal);
+    lows_.clear();
+    highs_.clear();
+    for (std::uint32_t i = 0; i < fragments.size(); i += step) {
+      const Interval<double> extent = extent_of(fragments.points(fragments[i]), normal);
+      lows_.push_back(extent.lo);
+      highs_.push_back(extent.hi);
+    }
+    share_ = static_cast<double>(fragments.size()) / static_cast<double>(lows_.size());
+    finish_measuring(lows_.size());
+  }
 
   /// Corners transposed, eight fragments side by side, so that one plane meets eight at a time.
   struct Octet {
     std::array<double, 8> x, y, z;
   };
 
-  void try_all(const ConvexCell& cell, const Fragments& fragments) {
-    pack(fragments);
-    for (int axis = 0; axis < 3; ++axis) {
-      const Vec3d normal(SplitPlane::across(axis, 0).normal);
-      offsets_.clear();
-      for (std::uint32_t i = 0; i < fragments.size(); ++i) {
-        const Interval<double> extent = extent_of(fragments.points(fragments[i]), normal);
-        offsets_.push_back(static_cast<float>(extent.lo));
-        offsets_.push_back(static_cast<float>(extent.hi));
-      }
-      std::sort(offsets_.begin(), offsets_.end());
-      offsets_.erase(std::unique(offsets_.begin(), offsets_.end()), offsets_.end());
-      for (const float offset : offsets_) try_plane(SplitPlane::across(axis, offset), cell);
-    }
-    if (!allow_general_) return;
-    for (std::uint32_t i = 0; i < fragments.size(); ++i) {
-      for (const Plane& plane : primitives_.planes(fragments[i].id)) {
-        const auto split = stored(plane);
-        if (!split) continue;
-        const auto [lo, hi] = extent_of(fragments.points(fragments[i]), Vec3d(split->normal));
-        const bool is_clipped_away = lo > split->offset + thickness_ || hi < split->offset - thickness_;
-        if (!is_clipped_away) try_plane(*split, cell);
-      }
-    }
-  }
-
   void pack(const Fragments& fragments) {
     octets_.clear();
     octet_ends_.clear();
-    packed_count_ = fragments.size();
     for (std::uint32_t first = 0; first < fragments.size(); first += 8) {
       const std::uint32_t lanes = std::min(8u, fragments.size() - first);
       std::size_t most = 0;
@@ -230,13 +204,10 @@ class SplitSearch {
     }
   }
 
-  void try_plane(const SplitPlane& split, const ConvexCell& cell) {
-    const Plane plane = split.plane();
-    const Interval<double> cell_extent = cell.extent(plane.normal);
-    const double lowest = cell_extent.lo - plane.offset, highest = cell_extent.hi - plane.offset;
-    if (!(lowest < 0 && highest > 0)) return;
-    const double share = -lowest / (highest - lowest);
-    std::uint32_t below = 0, above = 0, decided = 0;
+  void measure_packed(const SplitPlane& split, std::uint32_t count) {
+    const Vec3d normal(split.normal);
+    lows_.resize(8 * octet_ends_.size());
+    highs_.resize(lows_.size());
     std::size_t octet = 0;
     for (std::size_t group = 0; group < octet_ends_.size(); ++group) {
       std::array<double, 8> lows, highs;
@@ -245,36 +216,111 @@ class SplitSearch {
       for (; octet < octet_ends_[group]; ++octet) {
         const auto& [x, y, z] = octets_[octet];
         for (int lane = 0; lane < 8; ++lane) {
-          const double height =
-              plane.normal.x * x[lane] + plane.normal.y * y[lane] + plane.normal.z * z[lane] - plane.offset;
+          const double height = normal.x * x[lane] + normal.y * y[lane] + normal.z * z[lane];
           lows[lane] = height < lows[lane] ? height : lows[lane];
           highs[lane] = height > highs[lane] ? height : highs[lane];
         }
       }
-      const std::uint32_t lanes = std::min<std::uint32_t>(8, packed_count_ - static_cast<std::uint32_t>(group) * 8);
-      for (std::uint32_t lane = 0; lane < lanes; ++lane) {
-        const bool is_below = lows[lane]<-thickness_, is_above = highs[lane]> thickness_;
-        below += is_below;
-        above += is_above;
-        decided += is_below || is_above;
-      }
-      if (least_cost(split, share, below, above) >= best_cost_) return;
+      std::copy(lows.begin(), lows.end(), lows_.begin() + 8 * group);
+      std::copy(highs.begin(), highs.end(), highs_.begin() + 8 * group);
     }
-    weigh(split, cell, lowest, highest, {double(below), double(above), double(packed_count_ - decided)});
+    share_ = 1;
+    finish_measuring(count);
+  }
+
+  void finish_measuring(std::size_t count) {
+    lows_.resize(count);
+    highs_.resize(count);
+    content_ = {};
+    for (std::size_t i = 0; i < count; ++i) {
+      content_.lo = lows_[i] < content_.lo ? lows_[i] : content_.lo;
+      content_.hi = highs_[i] > content_.hi ? highs_[i] : content_.hi;
+    }
+  }
+
+  // Planes along a normal that has been measured.
+
+  /// The split moved, relative to the center.
+  SplitPlane moved(SplitPlane split, double offset) const {
+    split.offset = static_cast<float>(split.is_general ? offset : offset + center_[split.axis]);
+    return split;
+  }
+
+  Counts counts_at(double offset) const {
+    std::uint32_t below = 0, above = 0, on = 0;
+    for (std::size_t i = 0; i < lows_.size(); ++i) {
+      const bool is_below = lows_[i]<offset - thickness_, is_above = highs_[i]> offset + thickness_;
+      below += is_below;
+      above += is_above;
+      on += !is_below && !is_above;
+    }
+    return {share_ * below, share_ * above, share_ * on};
+  }
+
+  /// The plane itself, and those parallel to it that touch all from above and below.
+  void try_general(const SplitPlane& split, const ConvexCell& cell) {
+    measure_cell(split, cell);
+    const double offset = split.offset, count = share_ * static_cast<double>(lows_.size());
+    if (content_.lo < offset - thickness_ && content_.hi > offset + thickness_) consider(split, counts_at(offset));
+    consider(moved(split, content_.hi), {count, 0, 0});
+    consider(moved(split, content_.lo), {0, count, 0});
+  }
+
+  /// All planes at which fragments begin or end.
+  void sweep(const SplitPlane& split, const ConvexCell& cell) {
+    measure_cell(split, cell);
+    flats_.clear();
+    for (std::size_t i = 0; i < lows_.size(); ++i) {
+      if (highs_[i] - lows_[i] <= 2 * thickness_) flats_.push_back({lows_[i], highs_[i]});
+    }
+    std::sort(lows_.begin(), lows_.end());
+    std::sort(highs_.begin(), highs_.end());
+    std::size_t started = 0, ended = 0, low = 0, high = 0;
+    while (low < lows_.size() || high < highs_.size()) {
+      const bool is_low = low < lows_.size() && lows_[low] <= highs_[high];
+      const double offset = is_low ? lows_[low++] : highs_[high++];
+      while (started < lows_.size() && lows_[started] < offset - thickness_) ++started;
+      while (ended < highs_.size() && highs_[ended] <= offset + thickness_) ++ended;
+      double on = 0;
+      for (const auto& [lo, hi] : flats_) on += lo >= offset - thickness_ && hi <= offset + thickness_;
+      consider(moved(split, offset), {double(started), double(highs_.size() - ended), on});
+    }
+  }
+
+  /// Planes between bins.
+  void try_bins(const SplitPlane& split, const ConvexCell& cell) {
+    measure_cell(split, cell);
+    std::array<std::uint32_t, most_bins> starts{}, ends{};
+    const int bins = effort_.bins;
+    const double lowest = content_.lo, size = content_.hi - content_.lo, scale = bins / size;
+    for (std::size_t i = 0; i < lows_.size(); ++i) {
+      ++starts[clamp_to_index((lows_[i] - lowest) * scale, bins)];
+      ++ends[clamp_to_index((highs_[i] - lowest) * scale, bins)];
+    }
+    double below = 0, above = static_cast<double>(lows_.size());
+    for (int bin = 0; bin <= bins; ++bin) {
+      const double offset = bin == bins ? content_.hi : lowest + size * bin / bins;
+      consider(moved(split, offset), {share_ * below, share_ * above, 0});
+      if (bin == bins) break;
+      below += starts[bin];
+      above -= ends[bin];
+    }
   }
 
   const Primitives& primitives_;
-  Vec3d center_;
-  double thickness_;
-  Costs costs_;
-  bool allow_general_;
-  std::optional<Choice> best_;
-  double best_cost_ = 0;
-  std::vector<Interval<double>> extents_;
-  std::vector<float> offsets_;
+  const Vec3d center_;
+  const double thickness_;
+  const BspCosts costs_;
+  const BspEffort effort_;
+  double limit_ = 0, weight_ = 1;
+  std::vector<Candidate> candidates_;
+  std::vector<double> lows_, highs_;  ///< Of the fragments measured, each for `share_` of all.
+  std::vector<Interval<double>> flats_;
+  double share_ = 1;
+  Interval<double> content_, cell_extent_;  ///< Along the normal measured.
+  double section_ = 0;                      ///< The cell's projection along it, as a share of its area.
   std::vector<Octet> octets_;
   std::vector<std::size_t> octet_ends_;
-  std::uint32_t packed_count_ = 0;
 };
 
 }  // namespace sightline

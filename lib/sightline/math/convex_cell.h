@@ -71,6 +71,13 @@ class ConvexCell {
     return extent;
   }
 
+  /// Area of the cell's projection along a normal of any length.
+  double shadow(const Vec3d& normal) const {
+    double twice = 0;
+    for (const Face& face : faces_) twice += std::fabs(glm::dot(normal, face.doubled));
+    return 0.25 * twice / glm::length(normal);
+  }
+
   /// Surface areas of the two parts, each with the section that closes it. A face that the plane crosses is cut at two
   /// points; the section is the sum of the triangles that such pairs make with any point of the plane. Vertices on the
   /// plane count as below it, so that an edge on it is part of the section once: as the cut of the face above.
@@ -197,6 +204,7 @@ class ConvexCell {
   struct Face {
     std::uint32_t first, count;  ///< In loops_.
     double area;
+    Vec3d doubled;  ///< Twice the area, along the normal.
   };
 
   void clear() {
@@ -241,7 +249,7 @@ class ConvexCell {
     for (std::uint32_t i = first + 1; i + 1 < first + count; ++i) {
       doubled += glm::cross(vertices_[loops_[i]] - corner, vertices_[loops_[i + 1]] - corner);
     }
-    faces_.push_back({first, count, 0.5 * glm::length(doubled)});
+    faces_.push_back({first, count, 0.5 * glm::length(doubled), doubled});
     area_ += faces_.back().area;
   }
 
