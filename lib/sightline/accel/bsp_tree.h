@@ -39,12 +39,12 @@ struct BspTreeOptions {
   /// fast: axis planes only, in 16 bins. balanced: 32 bins high up; below, planes of eight primitives a node.
   /// best: all planes of all primitives from some hundred downward, and surface areas of every candidate.
   Quality quality = Quality::balanced;
-  int max_leaf_size = 4;            ///< A node this small is never split.
+  int max_leaf_size = 8;            ///< A node this small is never split.
   float traversal_cost = 1;         ///< One test of a general plane, relative to ...
   float intersection_cost = 0.25f;  ///< ... one primitive test and ...
-  float leaf_cost = 2;              ///< ... what a leaf costs however many it holds.
+  float leaf_cost = 6;              ///< ... what a leaf costs however many it holds.
   bool general_planes = true;       ///< Off: axis planes only, which makes it a kd-tree.
-  int reference_limit = 16;         ///< Leaves hold at most so many times as many references as there are primitives.
+  int reference_limit = 24;         ///< Leaves hold at most so many times as many references as there are primitives.
   int max_depth = 0;                ///< 0: 12 + 1.6 log2 of the primitives' number, at most 64.
 
   static constexpr std::array<OptionField<BspTreeOptions>, 8> fields() {

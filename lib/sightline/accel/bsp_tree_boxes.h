@@ -9,7 +9,7 @@
 
 #include "sightline/accel/bsp_tree_nodes.h"
 #include "sightline/accel/primitives.h"
-#include "sightline/accel/split_search.h"
+#include "sightline/accel/bsp_tree_search.h"
 #include "sightline/math/rounding.h"
 
 namespace sightline {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "sightline/accel/large_pages.h"
 #include "sightline/accel/probe.h"
 #include "sightline/math/vec.h"
 #include "sightline/math/volumes.h"
@@ -137,7 +138,7 @@ class BspNodes {
     words_.push_back(word);
   }
 
-  std::vector<Word> words_;
+  LargeVector<Word> words_;
   std::vector<std::uint32_t> order_;
 };
 
