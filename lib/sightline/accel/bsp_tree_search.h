@@ -13,6 +13,7 @@
 #include "sightline/accel/options.h"
 #include "sightline/math/convex_cell.h"
 #include "sightline/math/rounding.h"
+#include "sightline/math/simd.h"
 
 namespace sightline {
 
@@ -62,6 +63,7 @@ class SplitSearch {
   std::optional<Choice> best(const ConvexCell& cell, const Fragments& fragments, double limit, bool allow_general,
                              double weight = 1) {
     limit_ = limit;
+    threshold_ = loose * limit;
     weight_ = weight;
     candidates_.clear();
     if (!(cell.area() > 0)) return std::nullopt;
@@ -94,46 +96,59 @@ class SplitSearch {
 
  private:
   static constexpr std::uint32_t sampled_counts = 2048;  ///< Fragments counted, at least, for a general plane.
+  static constexpr std::uint32_t group_size = 8;
   static constexpr int most_bins = 64;
+  static constexpr double loose = 1.5;  ///< Estimates may exceed the limit by this factor.
 
   struct Counts {
     double below = 0, above = 0, on = 0;  ///< Those that cross count below and above.
   };
   struct Candidate {
     double estimate;  ///< Of the cost.
+    double offset;    ///< Of the plane, relative to the center.
     SplitPlane split;
     Counts counts;
   };
 
-  /// Takes the plane for a candidate, with an estimate of its cost. With the plane at the share x of the cell's extent,
-  /// some x of the surface lies below, and the section is as large as the cell's projection along the normal where the
-  /// cell is a prism, and 4 x (1 - x) of that where it is a ball; the estimate lies between.
-  void consider(const SplitPlane& split, const Counts& counts) {
-    const double offset = split.plane(center_).offset;
-    const double lowest = cell_extent_.lo - offset, highest = cell_extent_.hi - offset;
-    if (!(lowest < 0 && highest > 0)) return;
-    const Counts all{weight_ * counts.below, weight_ * counts.above, weight_ * counts.on};
-    const double x = -lowest / (highest - lowest), section = section_ * std::sqrt(4 * x * (1 - x));
-    const double estimate = costs_.plane(split) + std::min(1.0, x + section) * costs_.tests(all.below) +
-                            std::min(1.0, 1 - x + section) * costs_.tests(all.above);
-    if (estimate < 1.5 * limit_) candidates_.push_back({estimate, split, all});
+  /// Takes the plane, moved to `offset` from the center, for a candidate, with an estimate of its cost. At the share x
+  /// of the cell's extent, some x of the surface lies below; the section is as large as the cell's projection along the
+  /// normal where the cell is a prism, and 4 x (1 - x) of that where it is a ball; the estimate lies between.
+  void consider(const SplitPlane& split, double offset, const Counts& counts) {
+    if (!(cell_extent_.lo < offset && offset < cell_extent_.hi)) return;
+    const double x = (offset - cell_extent_.lo) / (cell_extent_.hi - cell_extent_.lo);
+    const double section = section_ * std::sqrt(4 * x * (1 - x));
+    const double estimate = costs_.plane(split) + std::min(1.0, x + section) * costs_.tests(weight_ * counts.below) +
+                            std::min(1.0, 1 - x + section) * costs_.tests(weight_ * counts.above);
+    if (!(estimate < threshold_)) return;
+    candidates_.push_back({estimate, offset, split, counts});
+    if (std::ssize(candidates_) >= 4 * effort_.exact_costs) keep_promising();
+  }
+
+  void keep_promising() {
+    if (std::ssize(candidates_) <= effort_.exact_costs) return;
+    const auto last = candidates_.begin() + effort_.exact_costs;
+    std::nth_element(candidates_.begin(), last, candidates_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.estimate < b.estimate; });
+    threshold_ = last->estimate;
+    candidates_.erase(last, candidates_.end());
   }
 
   /// Areas are what takes time, so that they are computed for the most promising candidates only.
   std::optional<Choice> best_of_candidates(const ConvexCell& cell) {
     std::optional<Choice> best;
     double best_cost = limit_;
-    const auto last = candidates_.begin() + std::min(std::ssize(candidates_), effort_.exact_costs);
-    std::nth_element(candidates_.begin(), last, candidates_.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.estimate < b.estimate; });
-    for (auto candidate = candidates_.begin(); candidate != last; ++candidate) {
-      const auto& [estimate, split, counts] = *candidate;
+    keep_promising();
+    for (const Candidate& candidate : candidates_) {
+      const SplitPlane split = moved(candidate.split, candidate.offset);
+      const double on = weight_ * candidate.counts.on;
+      const double below = weight_ * candidate.counts.below, above = weight_ * candidate.counts.above;
       ConvexCell::Heights heights;
       cell.measure(split.plane(center_), heights);
+      if (!(heights.lo < 0 && heights.hi > 0)) continue;
       const ConvexCell::Areas areas = cell.areas(heights);
       const bool on_below = areas.below <= areas.above;
-      const double tests = areas.below * costs_.tests(counts.below + (on_below ? counts.on : 0)) +
-                           areas.above * costs_.tests(counts.above + (on_below ? 0 : counts.on));
+      const double tests = areas.below * costs_.tests(below + (on_below ? on : 0)) +
+                           areas.above * costs_.tests(above + (on_below ? 0 : on));
       const double cost = costs_.plane(split) + tests / cell.area();
       if (cost < best_cost) {
         best_cost = cost;
@@ -175,29 +190,22 @@ class SplitSearch {
     finish_measuring(lows_.size());
   }
 
-  /// Corners transposed, eight fragments side by side, so that one plane meets eight at a time.
-  struct Octet {
-    std::array<double, 8> x, y, z;
-  };
-
+  /// Corners transposed, eight fragments side by side, so that one plane meets several at a time. A group's corners
+  /// are as many as those of the fragment that has most; others repeat their last.
   void pack(const Fragments& fragments) {
     octets_.clear();
     octet_ends_.clear();
-    for (std::uint32_t first = 0; first < fragments.size(); first += 8) {
-      const std::uint32_t lanes = std::min(8u, fragments.size() - first);
+    for (std::uint32_t first = 0; first < fragments.size(); first += group_size) {
+      std::array<std::span<const Vec3d>, group_size> corners;
       std::size_t most = 0;
-      for (std::uint32_t lane = 0; lane < lanes; ++lane) {
-        most = std::max(most, fragments.points(fragments[first + lane]).size());
+      for (std::uint32_t lane = 0; lane < group_size; ++lane) {
+        // Lanes without a fragment repeat the first; they are not counted.
+        corners[lane] = fragments.points(fragments[first + lane < fragments.size() ? first + lane : first]);
+        most = std::max(most, corners[lane].size());
       }
       for (std::size_t corner = 0; corner < most; ++corner) {
-        Octet& octet = octets_.emplace_back();
-        for (std::uint32_t lane = 0; lane < 8; ++lane) {
-          // Lanes without a fragment repeat the first; they are not counted.
-          const auto points = fragments.points(fragments[first + (lane < lanes ? lane : 0)]);
-          const Vec3d& p = points[std::min(corner, points.size() - 1)];
-          octet.x[lane] = p.x;
-          octet.y[lane] = p.y;
-          octet.z[lane] = p.z;
+        for (int axis = 0; axis < 3; ++axis) {
+          for (const auto& points : corners) octets_.push_back(points[std::min(corner, points.size() - 1)][axis]);
         }
       }
       octet_ends_.push_back(octets_.size());
@@ -205,24 +213,26 @@ class SplitSearch {
   }
 
   void measure_packed(const SplitPlane& split, std::uint32_t count) {
-    const Vec3d normal(split.normal);
-    lows_.resize(8 * octet_ends_.size());
+    constexpr hn::CappedTag<double, group_size> d;
+    const auto x = hn::Set(d, double(split.normal.x)), y = hn::Set(d, double(split.normal.y)),
+               z = hn::Set(d, double(split.normal.z));
+    lows_.resize(group_size * octet_ends_.size());
     highs_.resize(lows_.size());
-    std::size_t octet = 0;
     for (std::size_t group = 0; group < octet_ends_.size(); ++group) {
-      std::array<double, 8> lows, highs;
-      lows.fill(std::numeric_limits<double>::infinity());
-      highs.fill(-std::numeric_limits<double>::infinity());
-      for (; octet < octet_ends_[group]; ++octet) {
-        const auto& [x, y, z] = octets_[octet];
-        for (int lane = 0; lane < 8; ++lane) {
-          const double height = normal.x * x[lane] + normal.y * y[lane] + normal.z * z[lane];
-          lows[lane] = height < lows[lane] ? height : lows[lane];
-          highs[lane] = height > highs[lane] ? height : highs[lane];
+      const double* const end = octets_.data() + octet_ends_[group];
+      for (std::size_t lane = 0; lane < group_size; lane += hn::Lanes(d)) {
+        auto low = hn::Set(d, std::numeric_limits<double>::infinity()), high = hn::Neg(low);
+        for (const double* at = octets_.data() + (group == 0 ? 0 : octet_ends_[group - 1]); at != end;
+             at += 3 * group_size) {
+          const auto height =
+              hn::MulAdd(z, hn::LoadU(d, at + 2 * group_size + lane),
+                         hn::MulAdd(y, hn::LoadU(d, at + group_size + lane), hn::Mul(x, hn::LoadU(d, at + lane))));
+          low = hn::Min(low, height);
+          high = hn::Max(high, height);
         }
+        hn::StoreU(low, d, lows_.data() + group_size * group + lane);
+        hn::StoreU(high, d, highs_.data() + group_size * group + lane);
       }
-      std::copy(lows.begin(), lows.end(), lows_.begin() + 8 * group);
-      std::copy(highs.begin(), highs.end(), highs_.begin() + 8 * group);
     }
     share_ = 1;
     finish_measuring(count);
@@ -261,9 +271,10 @@ class SplitSearch {
   void try_general(const SplitPlane& split, const ConvexCell& cell) {
     measure_cell(split, cell);
     const double offset = split.offset, count = share_ * static_cast<double>(lows_.size());
-    if (content_.lo < offset - thickness_ && content_.hi > offset + thickness_) consider(split, counts_at(offset));
-    consider(moved(split, content_.hi), {count, 0, 0});
-    consider(moved(split, content_.lo), {0, count, 0});
+    if (content_.lo < offset - thickness_ && content_.hi > offset + thickness_)
+      consider(split, offset, counts_at(offset));
+    consider(split, content_.hi, {count, 0, 0});
+    consider(split, content_.lo, {0, count, 0});
   }
 
   /// All planes at which fragments begin or end.
@@ -283,7 +294,7 @@ class SplitSearch {
       while (ended < highs_.size() && highs_[ended] <= offset + thickness_) ++ended;
       double on = 0;
       for (const auto& [lo, hi] : flats_) on += lo >= offset - thickness_ && hi <= offset + thickness_;
-      consider(moved(split, offset), {double(started), double(highs_.size() - ended), on});
+      consider(split, offset, {double(started), double(highs_.size() - ended), on});
     }
   }
 
@@ -300,7 +311,7 @@ class SplitSearch {
     double below = 0, above = static_cast<double>(lows_.size());
     for (int bin = 0; bin <= bins; ++bin) {
       const double offset = bin == bins ? content_.hi : lowest + size * bin / bins;
-      consider(moved(split, offset), {share_ * below, share_ * above, 0});
+      consider(split, offset, {share_ * below, share_ * above, 0});
       if (bin == bins) break;
       below += starts[bin];
       above -= ends[bin];
@@ -312,14 +323,14 @@ class SplitSearch {
   const double thickness_;
   const BspCosts costs_;
   const BspEffort effort_;
-  double limit_ = 0, weight_ = 1;
+  double limit_ = 0, threshold_ = 0, weight_ = 1;
   std::vector<Candidate> candidates_;
   std::vector<double> lows_, highs_;  ///< Of the fragments measured, each for `share_` of all.
   std::vector<Interval<double>> flats_;
   double share_ = 1;
   Interval<double> content_, cell_extent_;  ///< Along the normal measured.
   double section_ = 0;                      ///< The cell's projection along it, as a share of its area.
-  std::vector<Octet> octets_;
+  std::vector<double> octets_;              ///< Eight x, y and z by turns.
   std::vector<std::size_t> octet_ends_;
 };
 
