@@ -104,7 +104,7 @@ TEST(StructureCost, ScannedSurface) {
   expect_work<BoxTree>(mesh, {3.1, 12, 1});
   expect_work<CylinderTree>(mesh, {5.8, 10.7, 1});
   expect_work<UniformGrid>(mesh, {19.7, 6.6, 5.1});
-  expect_work<BspTree>(mesh, {4, 21, 3.3});
+  expect_work<BspTree>(mesh, {10.9, 21.1, 2.9});
   expect_work<KdTree>(mesh, {20.9, 5.6, 2.7});
   expect_work<BoundingIntervalHierarchy>(mesh, {26.3, 28.9, 1});
 }
@@ -115,7 +115,7 @@ TEST(StructureCost, UnevenScene) {
   expect_work<BoxTree>(mesh, {3.5, 7.6, 1});
   expect_work<CylinderTree>(mesh, {6.3, 6.3, 1});
   expect_work<UniformGrid>(mesh, {7.5, 5.2, 2.1});
-  expect_work<BspTree>(mesh, {6.7, 12.7, 1.6});
+  expect_work<BspTree>(mesh, {16.8, 9.8, 1.6});
   expect_work<KdTree>(mesh, {16.7, 2.5, 1.5});
   expect_work<BoundingIntervalHierarchy>(mesh, {17.9, 21.5, 1});
 }
@@ -125,7 +125,18 @@ TEST(StructureCost, GeneralPlanesPartTurnedSticks) {
   const auto rays = rays_into(mesh);
   const Work general = work_of<BspTree>(mesh, rays), axis = work_of<BspTree>(mesh, rays, {.general_planes = false});
   EXPECT_LT(general.candidates, 0.8 * axis.candidates);
-  EXPECT_LT(general.references, 0.8 * axis.references);
+  EXPECT_LT(general.nodes, 0.8 * axis.nodes);
+  EXPECT_LT(general.references, 0.25 * axis.references);
+}
+
+TEST(StructureCost, QualityOfTheBspTreeIsMoreAndBetterPlanes) {
+  const TriangleMesh mesh = turned_sticks();
+  const auto rays = rays_into(mesh);
+  const Work fast = work_of<BspTree>(mesh, rays, {.quality = Quality::fast});
+  const Work balanced = work_of<BspTree>(mesh, rays, {.quality = Quality::balanced});
+  const Work best = work_of<BspTree>(mesh, rays, {.quality = Quality::best});
+  EXPECT_LT(balanced.candidates, 0.8 * fast.candidates);
+  EXPECT_LT(best.candidates, 0.9 * balanced.candidates);
 }
 
 TEST(StructureCost, EmptySpaceIsCutOff) {

@@ -105,12 +105,12 @@ class BspTree {
 // ---- Traversal
 
 /// What a plane test needs of a ray.
-///   R1  Widths: a point within `pad` of the ray, per axis, has a height of at most the normal's 1-norm times pad over
-///       the ray's; that norm is 1 of an axis plane and at most 3 of a general one. With B4, the ray is below a plane
-///       while its height is at most `width`, and above while it is at least -width.
-///   R2  With u the unit roundoff of T and N the 1-norm, all within the bounds: the origin is off by N u reach, the
-///       height by 4 N u reach more, the slope moves a point by 2 N u reach, adding the width and dividing by 4 N u
-///       reach: 11 N u reach, of the 32 N u reach and more that M1 leaves.
+///   R1  A point within `pad` of the ray, per axis, has a height of at most the normal's 1-norm times pad over the
+///       ray's; that norm is 1 of an axis plane and at most 3 of a general one. With B4, the ray is below a plane while
+///       its height is at most `width`, and above while it is at least -width.
+///   R2  With u the unit roundoff of T and N the 1-norm, in units of N u reach and within the bounds: the origin is off
+///       by 1, the height by 5 more, the slope moves a point by 3, adding the width by 2, inverting and multiplying by
+///       4. These 15 are less than the 32 and more that M1 leaves.
 ///   R3  Where the direction or the bounds are so large or small that numbers might overflow or underflow, no general
 ///       plane parts anything.
 template <class T>
@@ -121,12 +121,13 @@ struct BspTree::PlaneRay {
   std::uint32_t falls[3];
 
   PlaneRay(const PaddedRay<T>& padded, const Vec3d& center, double thickness) {
+    const auto thick = static_cast<T>(thickness);
     for (int axis = 0; axis < 3; ++axis) {
-      const double thick = padded.is_negative[axis] ? -thickness : thickness;
       origin[axis] = static_cast<T>(static_cast<double>(padded.origin[axis]) - center[axis]);
       direction[axis] = padded.direction[axis];
-      enter[axis] = static_cast<T>(static_cast<double>(padded.enter_origin[axis]) + thick);
-      leave[axis] = static_cast<T>(static_cast<double>(padded.leave_origin[axis]) - thick);
+      const T in = padded.enter_origin[axis], out = padded.leave_origin[axis];
+      enter[axis] = in + std::copysign(thick + std::numeric_limits<T>::epsilon() * std::fabs(in), direction[axis]);
+      leave[axis] = out - std::copysign(thick + std::numeric_limits<T>::epsilon() * std::fabs(out), direction[axis]);
       inverse[axis] = padded.inverse[axis];
       falls[axis] = padded.is_negative[axis];
     }

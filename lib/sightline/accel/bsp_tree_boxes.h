@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "sightline/accel/bsp_tree_nodes.h"
-#include "sightline/accel/primitives.h"
 #include "sightline/accel/bsp_tree_search.h"
+#include "sightline/accel/primitives.h"
 #include "sightline/math/rounding.h"
 
 namespace sightline {

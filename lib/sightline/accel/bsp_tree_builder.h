@@ -11,8 +11,8 @@
 
 #include "sightline/accel/bsp_tree_boxes.h"
 #include "sightline/accel/bsp_tree_nodes.h"
-#include "sightline/accel/fragments.h"
 #include "sightline/accel/bsp_tree_search.h"
+#include "sightline/accel/fragments.h"
 #include "sightline/math/convex_cell.h"
 
 namespace sightline {

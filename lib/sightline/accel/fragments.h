@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -52,6 +53,7 @@ class Fragments {
       for (int i = 0; i < count; ++i) {
         const Vec3d &at = corners[i], &next = corners[i + 1 == count ? 0 : i + 1];
         const double from = height(at), to = height(next);
+        assert(kept_count + 2 <= std::ssize(kept));
         if (from <= thickness) kept[kept_count++] = at;
         if ((from < -thickness && to > thickness) || (from > thickness && to < -thickness)) {
           kept[kept_count++] = at + (from / (from - to)) * (next - at);
