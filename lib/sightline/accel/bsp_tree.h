@@ -36,11 +36,11 @@
 namespace sightline {
 
 struct BspTreeOptions {
-  /// fast: axis planes only, in 16 bins. balanced: 32 bins high up; below, planes of eight primitives a node.
+  /// fast: axis planes only, in 16 bins. balanced: 32 bins high up; below, the planes of eight primitives a node, too.
   /// best: all planes of all primitives from some hundred downward, and surface areas of every candidate.
   Quality quality = Quality::balanced;
   int max_leaf_size = 8;            ///< A node this small is never split.
-  float traversal_cost = 1;         ///< One test of a general plane, relative to ...
+  float traversal_cost = 1.75f;     ///< One test of a general plane, relative to ...
   float intersection_cost = 0.25f;  ///< ... one primitive test and ...
   float leaf_cost = 6;              ///< ... what a leaf costs however many it holds.
   bool general_planes = true;       ///< Off: axis planes only, which makes it a kd-tree.
@@ -91,7 +91,7 @@ class BspTree {
   static constexpr int stack_size = 64;
   static constexpr std::uint32_t size_limit = 1u << 26;  ///< Keeps positions, by B5, within 32 bits.
 
-  static constexpr double axis_cost_share = 0.7;  ///< Of a general plane's test.
+  static constexpr double axis_cost_share = 0.4;  ///< Of a general plane's test.
 
   template <class T>
   struct PlaneRay;

@@ -75,7 +75,7 @@ class BspBoxes {
 
   /// Divides all into those with parts below the plane and those with parts above; flat ones on it go below. Parts are
   /// clipped to cells that are larger by the thickness, as clipping rounds.
-  void split(const SplitPlane& split, const std::array<Aabb, 2>& cells, double thickness, const Primitives& primitives,
+  void split(const SplitPlane& split, double thickness, const Primitives& primitives,
              std::array<BspBoxes, 2>& sides) const {
     const int axis = split.axis;
     const float place = split.offset;

@@ -56,7 +56,7 @@ class BspBuilder {
     std::array<BspBoxes, 2> own;
     const bool is_parallel = count >= parallel_size;
     std::array<BspBoxes, 2>& sides = is_parallel ? own : level_at(depth).boxes;
-    boxes.split(choice->split, cells, plan_.thickness / 2, plan_.primitives, sides);
+    boxes.split(choice->split, plan_.thickness / 2, plan_.primitives, sides);
     const double share = budget / (double(sides[0].size()) + double(sides[1].size()));
     if (share < 1 || std::min(sides[0].size(), sides[1].size()) == count) return nodes_.add_leaf(count, id_of);
     const std::size_t inner = nodes_.add_plane(choice->split);
