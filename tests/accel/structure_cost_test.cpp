@@ -107,7 +107,7 @@ TEST(StructureCost, ScannedSurface) {
   expect_work<UniformGrid>(mesh, {19.7, 6.6, 5.1});
   expect_work<BspTree>(mesh, {14.2, 19.9, 2.9});
   expect_work<KdTree>(mesh, {20.9, 5.6, 2.7});
-  expect_work<BoundingIntervalHierarchy>(mesh, {26.3, 28.9, 1});
+  expect_work<BoundingIntervalHierarchy>(mesh, {8.8, 13.6, 1});
 }
 
 TEST(StructureCost, UnevenScene) {
@@ -118,7 +118,7 @@ TEST(StructureCost, UnevenScene) {
   expect_work<UniformGrid>(mesh, {7.5, 5.2, 2.1});
   expect_work<BspTree>(mesh, {17, 9.2, 1.6});
   expect_work<KdTree>(mesh, {16.7, 2.5, 1.5});
-  expect_work<BoundingIntervalHierarchy>(mesh, {17.9, 21.5, 1});
+  expect_work<BoundingIntervalHierarchy>(mesh, {8.8, 8.2, 1});
 }
 
 TEST(StructureCost, GeneralPlanesPartTurnedSticks) {
@@ -157,6 +157,18 @@ TEST(StructureCost, EmptySpaceIsCutOff) {
     options.empty_bonus = 0;
     const Work without = work_of<KdTree>(mesh, rays, options);
     EXPECT_LT(with.candidates, 0.9 * without.candidates);
+  }
+}
+
+TEST(StructureCost, SlabsCutOffEmptySpace) {
+  using Bih = BoundingIntervalHierarchy;
+  for (const TriangleMesh& mesh : {bumpy_sphere(), uneven()}) {
+    const auto rays = rays_into(mesh);
+    const Work both = work_of<Bih>(mesh, rays), best = work_of<Bih>(mesh, rays, {.quality = Quality::best});
+    const Work without = work_of<Bih>(mesh, rays, {.slabs = false});
+    EXPECT_LT(both.candidates, 0.6 * without.candidates);
+    EXPECT_LT(both.nodes, 0.8 * without.nodes);
+    EXPECT_LT(best.nodes, 1.05 * both.nodes);
   }
 }
 
