@@ -101,8 +101,9 @@ void expect_work(const TriangleMesh& mesh, const Work& limit) {
 TEST(StructureCost, ScannedSurface) {
   const TriangleMesh mesh = bumpy_sphere();
   ASSERT_GT(mesh.size(), 20'000u);
-  expect_work<SphereTree>(mesh, {6.8, 15.3, 1});
-  expect_work<BoxTree>(mesh, {3.1, 12, 1});
+  expect_work<SphereTree>(mesh, {10.6, 15.3, 1});
+  expect_work<BoxTree>(mesh, {6.8, 12, 1});
+  expect_work<WideTree>(mesh, {6.4, 4.3, 1});
   expect_work<CylinderTree>(mesh, {5.8, 10.7, 1});
   expect_work<UniformGrid>(mesh, {19.7, 6.6, 5.1});
   expect_work<BspTree>(mesh, {14.2, 19.9, 2.9});
@@ -112,8 +113,9 @@ TEST(StructureCost, ScannedSurface) {
 
 TEST(StructureCost, UnevenScene) {
   const TriangleMesh mesh = uneven();
-  expect_work<SphereTree>(mesh, {6.4, 7.1, 1});
-  expect_work<BoxTree>(mesh, {3.5, 7.6, 1});
+  expect_work<SphereTree>(mesh, {9.1, 7.1, 1});
+  expect_work<BoxTree>(mesh, {7.2, 7.6, 1});
+  expect_work<WideTree>(mesh, {6.7, 2.4, 1});
   expect_work<CylinderTree>(mesh, {6.3, 6.3, 1});
   expect_work<UniformGrid>(mesh, {7.5, 5.2, 2.1});
   expect_work<BspTree>(mesh, {17, 9.2, 1.6});
