@@ -2,8 +2,8 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkIntArray.h>
 #include <vtkPoints.h>
+#include <vtkUnsignedIntArray.h>
 
 #include <algorithm>
 #include <array>
@@ -31,10 +31,10 @@ class Builder {
 
   void part(const Cell& cell, const std::vector<vtkIdType>& corners) {
     parts_->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
-    arrays_[0]->InsertNextValue(cell.depth);
+    arrays_[0]->InsertNextValue(static_cast<std::uint32_t>(cell.depth));
     arrays_[1]->InsertNextValue(cell.is_leaf);
-    arrays_[2]->InsertNextValue(static_cast<int>(cell.range.count));
-    arrays_[3]->InsertNextValue(static_cast<int>(cell.node));
+    arrays_[2]->InsertNextValue(cell.range.count);
+    arrays_[3]->InsertNextValue(cell.node);
   }
 
   /// The polyline through `path`.
@@ -64,8 +64,8 @@ class Builder {
   using New = vtkSmartPointer<T>;
   New<vtkPoints> points_ = New<vtkPoints>::New();
   New<vtkCellArray> parts_ = New<vtkCellArray>::New();
-  std::array<New<vtkIntArray>, 4> arrays_{New<vtkIntArray>::New(), New<vtkIntArray>::New(), New<vtkIntArray>::New(),
-                                          New<vtkIntArray>::New()};
+  std::array<New<vtkUnsignedIntArray>, 4> arrays_{New<vtkUnsignedIntArray>::New(), New<vtkUnsignedIntArray>::New(),
+                                                  New<vtkUnsignedIntArray>::New(), New<vtkUnsignedIntArray>::New()};
 };
 
 /// Two unit vectors at right angles to a unit `axis` and to each other, right-handed with it.

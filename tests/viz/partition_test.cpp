@@ -51,7 +51,8 @@ TEST(Cells, FilterKeepsTheLargest) {
     corners.insert(corners.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, x}});
     triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
-  const auto tracer = make_tracer("kd-tree", std::make_shared<const TriangleMesh>(corners, triangles));
+  const auto tracer =
+      make_tracer("kd-tree", std::make_shared<const TriangleMesh>(corners, triangles), {{{"max_leaf_size", "2"}}});
   CellFilter filter;
   filter.leaves_only = true;
   const Partition all = select_cells(*tracer, filter);
