@@ -38,12 +38,12 @@ struct BoundingBox {
       }
     }
 
-    PairTimes<T> operator()(const BoundingBox& first, const BoundingBox& second, T far) const {
+    /// Inlined by force: compilers find it too large to copy, but the call costs as much as the test.
+    [[gnu::always_inline]] PairTimes<T> operator()(const BoundingBox& first, const BoundingBox& second, T far) const {
       return {times_of(first, far), times_of(second, far)};
     }
 
    private:
-    /// Inlined by force: compilers find it too large to copy, but the call costs as much as the test.
     [[gnu::always_inline]] Interval<T> times_of(const BoundingBox& box, T far) const {
       Interval<T> range{t_min_, far};
       for (int axis = 0; axis < 3; ++axis) {
