@@ -58,6 +58,7 @@ concept Accelerator = std::movable<A> &&
   { a.leaf_order() } -> std::same_as<std::span<const std::uint32_t>>;
   // False while queries may still rearrange leaf_order (lazy building).
   { a.is_order_final() } -> std::same_as<bool>;
+  // A ray that is not valid (ray.h) meets nothing.
   a.traverse(ray, detail::AnyLeafVisitor<float>{}, probe);
   a.traverse(wide_ray, detail::AnyLeafVisitor<double>{}, probe);
   a.for_each_cell(detail::AnyCellVisitor{});

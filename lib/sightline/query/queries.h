@@ -79,7 +79,6 @@ struct AnyQuery {
 /// The nearest hit; of equally near ones that of the lowest id. A miss where there is none.
 template <class T, class Leaves, class Accel, class Probe>
 Hit<T> closest_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe& probe) {
-  if (!is_valid(ray)) return {};
   ClosestQuery<T, Leaves> query(leaves, ray);
   accel.traverse(
       ray, [&](LeafRange leaf) { return query.visit(leaves, leaf); }, probe);
@@ -89,7 +88,6 @@ Hit<T> closest_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, 
 /// Whether anything is hit; stops at the first hit found, whichever it is.
 template <class T, class Leaves, class Accel, class Probe>
 bool any_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe& probe) {
-  if (!is_valid(ray)) return false;
   AnyQuery<T, Leaves> query(leaves, ray);
   accel.traverse(
       ray, [&](LeafRange leaf) { return query.visit(leaves, leaf); }, probe);
@@ -100,7 +98,6 @@ bool any_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe&
 /// the crossing where the ray enters and the one where it leaves.
 template <class T, class Leaves, class Accel, class Probe>
 std::vector<Hit<T>> all_hits(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe& probe) {
-  if (!is_valid(ray)) return {};
   auto prepared = leaves.prepare(ray);
   std::vector<Hit<T>> hits;
   accel.traverse(
