@@ -1,13 +1,11 @@
 #include "viz/structure.h"
 
-#include <algorithm>
-
 #include "sightline/scene/camera.h"
 
 namespace sightline::viz {
 namespace {
 
-constexpr std::size_t many_flat_cells = 130;
+constexpr std::size_t many_parts = 130;
 
 }  // namespace
 
@@ -19,14 +17,10 @@ void wake_lazy_cells(const Tracer& tracer) {
 }
 
 void suit_filter(const Tracer& tracer, CellFilter& filter) {
-  std::size_t cells = 0;
-  int deepest = 0;
-  tracer.for_each_cell([&](const Cell& cell) {
-    ++cells;
-    deepest = std::max(deepest, cell.depth);
-  });
-  if (deepest <= 1 && cells > many_flat_cells) {
-    filter.shallowest = deepest;
+  std::size_t parts = 0;
+  tracer.for_each_cell([&](const Cell& cell) { parts += cell.depth == 1; });
+  if (parts > many_parts) {
+    filter.shallowest = 1;
     filter.slice = Slice{2, 0.5};
   }
 }
