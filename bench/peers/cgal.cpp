@@ -63,7 +63,7 @@ class BuiltCgal final : public Built {
     const auto found = tree_.first_intersection(to_cgal(ray));
     if (!found) return {};
     const Vec3d size = glm::abs(Vec3d(ray.direction));
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const int axis = largest_axis(size);
     const auto t_of = [&](const Point& p) { return (p[axis] - ray.origin[axis]) / ray.direction[axis]; };
     double t = 0;
     if (const auto* point = boost::get<Point>(&found->first)) {

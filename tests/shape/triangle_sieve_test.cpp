@@ -72,26 +72,44 @@ const std::vector<Setting> settings{
     {0.1f, 1, 3, {1e4f, -3, 5}}, {0.01f, 100, 1e6f, {0, 7e4, 0}}, {0.1f, 1e-12f, 1, {0, 0, 0}},
 };
 
-TEST(TriangleSieve, KeepsWhatTheExactTestAccepts) {
-  Random random(51);
-  int accepted = 0;
+/// Calls see(block, ray aimed at one of its triangles) often in every setting.
+template <class See>
+void for_each_case(std::uint64_t seed, See&& see) {
+  Random random(seed);
   for (const Setting& at : settings) {
+    SCOPED_TRACE(testing::Message() << "size " << at.size << " scale " << at.scale);
     for (int round = 0; round < 3000; ++round) {
       const Block block = random_block(random, at.size, at.scale, at.offset);
-      const Ray<float> ray = ray_at(random, block.triangles[round % block.count()], at.distance);
-      Ray<double> wide = to_double(ray);
-      if (round % 3 == 0) wide.origin += 1e-9 * wide.direction;  // an origin that is no float
-      const TriangleRay exact(wide, block.bounds());
-      const std::uint32_t kept = TriangleSieve(wide, block.bounds()).may_cross(block.view());
-      EXPECT_LT(kept, 1u << block.count());
-      for (std::uint32_t lane = 0; lane < block.count(); ++lane) {
-        Crossing crossing;
-        const bool is_hit = exact.intersect(block.triangles[lane], crossing);
-        accepted += is_hit;
-        ASSERT_TRUE(!is_hit || (kept >> lane & 1)) << "size " << at.size << " scale " << at.scale;
-      }
+      see(block, ray_at(random, block.triangles[round % block.count()], at.distance));
     }
   }
+}
+
+/// How many of the block's triangles the exact test accepts, all of which the sieve has to keep.
+template <class T>
+int accepted_and_kept(const Block& block, const Ray<T>& ray) {
+  const TriangleRay exact(to_double(ray), block.bounds());
+  const std::uint32_t kept = TriangleSieve(ray, block.bounds()).may_cross(block.view());
+  EXPECT_LT(kept, 1u << block.count());
+  int accepted = 0;
+  for (std::uint32_t lane = 0; lane < block.count(); ++lane) {
+    Crossing crossing;
+    const bool is_hit = exact.intersect(block.triangles[lane], crossing);
+    accepted += is_hit;
+    EXPECT_TRUE(!is_hit || (kept >> lane & 1));
+  }
+  return accepted;
+}
+
+TEST(TriangleSieve, KeepsWhatTheExactTestAccepts) {
+  int accepted = 0;
+  for_each_case(51, [&](const Block& block, const Ray<float>& ray) {
+    accepted += accepted_and_kept(block, ray);
+    Ray<double> wide = to_double(ray);
+    accepted_and_kept(block, wide);
+    wide.origin += 1e-9 * wide.direction;  // no float any more
+    accepted_and_kept(block, wide);
+  });
   EXPECT_GT(accepted, 10'000);
 }
 
@@ -113,31 +131,23 @@ TEST(TriangleSieve, DropsWhatIsMissed) {
 }
 
 TEST(TriangleSieve, CrossesWhereTheExactTestDoes) {
-  Random random(53);
   int hits = 0;
-  for (const Setting& at : settings) {
-    for (int round = 0; round < 3000; ++round) {
-      const Block block = random_block(random, at.size, at.scale, at.offset);
-      const Ray<float> ray = ray_at(random, block.triangles[round % block.count()], at.distance);
-      const Ray<double> wide = to_double(ray);
-      const Aabb bounds = block.bounds();
-      const double reach =
-          max_norm(glm::max(glm::abs(Vec3d(bounds.lo) - wide.origin), glm::abs(Vec3d(bounds.hi) - wide.origin)));
-      TriangleSieve::Crossings found;
-      TriangleSieve(wide, bounds).cross(block.view(), 0, 1e30f, found);
-      EXPECT_EQ(found.hits & found.unsure, 0u);
-      for (std::uint32_t lane = 0; lane < block.count(); ++lane) {
-        if (!(found.hits >> lane & 1)) continue;
-        ++hits;
-        EXPECT_TRUE(found.u[lane] >= 0 && found.v[lane] >= 0 && found.u[lane] + found.v[lane] <= 1.000001f);
-        // E4: the point on the ray is the point with those weights.
-        const Triangle& triangle = block.triangles[lane];
-        const double u = found.u[lane], v = found.v[lane];
-        const Vec3d point = (1 - u - v) * Vec3d(triangle.a) + u * Vec3d(triangle.b) + v * Vec3d(triangle.c);
-        EXPECT_LE(max_norm(wide.at(found.t[lane]) - point), 32 * 0x1p-24 * reach);
-      }
+  for_each_case(53, [&](const Block& block, const Ray<float>& ray) {
+    const Ray<double> wide = to_double(ray);
+    TriangleSieve::Crossings found;
+    TriangleSieve(ray, block.bounds()).cross(block.view(), 0, 1e30f, found);
+    EXPECT_EQ(found.hits & found.unsure, 0u);
+    for (std::uint32_t lane = 0; lane < block.count(); ++lane) {
+      if (!(found.hits >> lane & 1)) continue;
+      ++hits;
+      EXPECT_TRUE(found.u[lane] >= 0 && found.v[lane] >= 0 && found.u[lane] + found.v[lane] <= 1.000001f);
+      // E4: the point on the ray is the point with those weights.
+      const Triangle& triangle = block.triangles[lane];
+      const double u = found.u[lane], v = found.v[lane];
+      const Vec3d point = (1 - u - v) * Vec3d(triangle.a) + u * Vec3d(triangle.b) + v * Vec3d(triangle.c);
+      EXPECT_LE(max_norm(wide.at(found.t[lane]) - point), 32 * 0x1p-24 * reach_of(wide.origin, block.bounds()));
     }
-  }
+  });
   EXPECT_GT(hits, 5000);
 }
 

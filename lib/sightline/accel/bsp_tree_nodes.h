@@ -35,7 +35,7 @@ struct SplitPlane {
   /// None for axis planes, which bounds offer, and for what float cannot hold.
   static std::optional<SplitPlane> general(const Plane& plane, const Vec3d& center) {
     const Vec3d size = glm::abs(plane.normal);
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const int axis = largest_axis(size);
     const double scale = 1 / plane.normal[axis];
     Vec3f normal(plane.normal * scale);
     normal[axis] = 1;

@@ -87,9 +87,7 @@ class KdVectorRay {
 
     const F to_bounds = hn::Max(hn::Abs(hn::Sub(lows, origin)), hn::Abs(hn::Sub(highs, origin)));
     const F reach = hn::MaxOfLanes(f, hn::IfThenElseZero(is_axis, to_bounds));
-    // In double, since denormals of float take processors long.
-    constexpr double step = 2 * double(std::numeric_limits<float>::denorm_min());
-    const F pad = hn::Set(f, static_cast<float>(double(margin<float> * hn::GetLane(reach)) + step * hn::GetLane(size)));
+    const F pad = hn::Set(f, pad_of(hn::GetLane(reach), hn::GetLane(size)));
     const F inverse = hn::Div(hn::Set(f, 1.0f), direction);
     // A direction too small to invert moves the ray all the same: no plane bounds it.
     const auto is_unbounded = hn::And(hn::Gt(hn::Abs(inverse), largest), hn::Ne(direction, zero));

@@ -26,11 +26,13 @@ inline constexpr T margin = T(0x1p-18);
 template <>
 inline constexpr double margin<double> = 0x1p-34;
 
-/// Largest distance over the axes from `origin` to the faces of `bounds`.
+/// Half the width of the padded ray: the margin, and what underflow may add. `speed` is the direction's largest
+/// component. A parameter that underflows is off by up to one denormal step, which a large direction magnifies;
+/// computed in double, since denormals of float take processors long.
 template <class T>
-T reach_of(const Vec3<T>& origin, const Aabb& bounds) {
-  const Vec3<T> to_lo = glm::abs(Vec3<T>(bounds.lo) - origin), to_hi = glm::abs(Vec3<T>(bounds.hi) - origin);
-  return max_norm(glm::max(to_lo, to_hi));
+T pad_of(T reach, T speed) {
+  constexpr double step = 2 * double(std::numeric_limits<T>::denorm_min());
+  return static_cast<T>(double(margin<T> * reach) + step * double(speed));
 }
 
 /// Entering uses an origin moved forward by the margin, leaving one moved backward, which costs nothing per plane.
@@ -43,7 +45,7 @@ struct PaddedRay {
   Vec3<T> inverse;       ///< 1 / direction; infinite, with the zero's sign, where that is 0.
   Vec3<T> enter_origin;  ///< Of planes through which the ray enters.
   Vec3<T> leave_origin;  ///< Of planes through which the ray leaves.
-  T pad;                 ///< Half the width of the padded ray: margin<T> * reach, and what underflow may add.
+  T pad;                 ///< pad_of the ray.
   T t_min;
   T t_max;  ///< Below t_min where the ray is not valid: such a ray meets nothing.
   bool is_negative[3];
@@ -54,10 +56,7 @@ struct PaddedRay {
       t_min = std::numeric_limits<T>::infinity();
       t_max = -std::numeric_limits<T>::infinity();
     }
-    // A parameter that underflows is off by up to one denormal step, which a large direction magnifies.
-    // In double, since denormals of float take processors long.
-    constexpr double step = 2 * double(std::numeric_limits<T>::denorm_min());
-    pad = static_cast<T>(double(margin<T> * reach_of(origin, bounds)) + step * double(max_norm(direction)));
+    pad = pad_of(reach_of(origin, bounds), max_norm(direction));
     constexpr T rounding = 2 * std::numeric_limits<T>::epsilon();
     for (int axis = 0; axis < 3; ++axis) {
       inverse[axis] = T(1) / direction[axis];

@@ -48,7 +48,7 @@ class UniformGrid {
   void traverse(const Ray<T>& ray, Visit&& visit, Probe& probe) const {
     if (parts_.order.empty() || !is_valid(ray)) return;
     const GridRay<T> thin(ray, parts_);
-    if (thin.is_ordinary && pad_of(ray, parts_.bounds) <= parts_.pad) {
+    if (thin.is_ordinary && pad_of(reach_of(ray.origin, parts_.bounds), max_norm(ray.direction)) <= parts_.pad) {
       GridWalk(parts_, thin, visit, probe).walk(ray.t_min, ray.t_max);
     } else {
       GridDescent(parts_, PaddedRay<T>(ray, parts_.bounds), visit, probe).descend();

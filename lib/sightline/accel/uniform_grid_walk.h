@@ -9,12 +9,6 @@
 
 namespace sightline {
 
-/// Half the width of the padded ray, as PaddedRay has it.
-template <class T>
-T pad_of(const Ray<T>& ray, const Aabb& bounds) {
-  return margin<T> * reach_of(ray.origin, bounds) + 2 * std::numeric_limits<T>::denorm_min() * max_norm(ray.direction);
-}
-
 /// A ray against the planes of a grid, all in the precision T, u its unit roundoff.
 ///   W1  Plane i of the top level is crossed at i * per_layer + at_origin, up to a distance of 8 u reach along the
 ///       axis, and ray(t) is t * speed + start layers from the first plane, up to as much: each is a few roundings of

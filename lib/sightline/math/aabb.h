@@ -33,13 +33,17 @@ struct Aabb {
   Vec3f extent() const { return hi - lo; }
   Vec3f center() const { return 0.5f * lo + 0.5f * hi; }
 
-  int longest_axis() const {
-    const Vec3f e = extent();
-    return e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
-  }
+  int longest_axis() const { return largest_axis(extent()); }
 
   friend bool operator==(const Aabb&, const Aabb&) = default;
 };
+
+/// Largest distance over the axes from `origin` to the faces of `bounds`.
+template <class T>
+T reach_of(const Vec3<T>& origin, const Aabb& bounds) {
+  const Vec3<T> to_lo = glm::abs(Vec3<T>(bounds.lo) - origin), to_hi = glm::abs(Vec3<T>(bounds.hi) - origin);
+  return max_norm(glm::max(to_lo, to_hi));
+}
 
 inline Aabb intersection(const Aabb& a, const Aabb& b) { return {glm::max(a.lo, b.lo), glm::min(a.hi, b.hi)}; }
 

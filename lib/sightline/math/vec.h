@@ -28,4 +28,10 @@ T max_norm(const Vec3<T>& v) {
   return xy > z ? xy : z;
 }
 
+/// The axis of the largest component; of equal ones the first.
+template <class T>
+int largest_axis(const Vec3<T>& v) {
+  return v.x >= v.y && v.x >= v.z ? 0 : v.y >= v.z ? 1 : 2;
+}
+
 }  // namespace sightline

@@ -39,14 +39,14 @@ auto dot(const Vec3d& d, const std::array<Expansion<16>, 3>& n) {
 
 TriangleRay::TriangleRay(const Ray<double>& ray, const Aabb& bounds) : origin_(ray.origin), direction_(ray.direction) {
   const Vec3d size = glm::abs(direction_);
-  kz_ = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  kz_ = largest_axis(size);
   kx_ = (kz_ + 1) % 3;
   ky_ = (kx_ + 1) % 3;
   if (direction_[kz_] < 0) std::swap(kx_, ky_);
   scale_z_ = 1 / direction_[kz_];
   shear_x_ = direction_[kx_] / direction_[kz_];
   shear_y_ = direction_[ky_] / direction_[kz_];
-  const double reach = max_norm(glm::max(glm::abs(Vec3d(bounds.lo) - origin_), glm::abs(Vec3d(bounds.hi) - origin_)));
+  const double reach = reach_of(origin_, bounds);
   sign_bound_ = 2 * edge_error * reach * reach;  // M <= 2 m, as slopes are at most 1
 }
 

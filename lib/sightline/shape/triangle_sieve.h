@@ -29,7 +29,7 @@
 namespace sightline {
 
 /// Triangles of one leaf as structure of arrays: nine rows of coordinates (a.x, a.y, a.z, b.x, ... c.z) and one of
-/// twice the extent, each row as long as there are triangles. Reading a row may run over its end by up to `lanes`
+/// the bits of their ids, each row as long as there are triangles. Reading a row may run over its end by up to `lanes`
 /// floats.
 class TriangleBlock {
  public:
@@ -144,7 +144,7 @@ class TriangleSieve {
   int axes_[3];              ///< The last is that of the direction's largest component.
   float shear_x_, shear_y_;  ///< Slopes against the last axis.
   float scale_z_;
-  float error_;       ///< e of E2, without u M.
+  float error_;       ///< e of E1.
   float reach_;       ///< R.
   bool is_ordinary_;  ///< Nothing that `cross` computes overflows or underflows.
 };
@@ -153,7 +153,7 @@ template <class T>
 TriangleSieve::TriangleSieve(const Ray<T>& ray, const Aabb& bounds) {
   constexpr float largest = 0x1p+60f, smallest = 0x1p-20f;
   const Vec3<T> size = glm::abs(ray.direction);
-  axes_[2] = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  axes_[2] = largest_axis(size);
   axes_[0] = axes_[2] == 2 ? 0 : axes_[2] + 1;
   axes_[1] = axes_[0] == 2 ? 0 : axes_[0] + 1;
   const T along = ray.direction[axes_[2]];
@@ -161,8 +161,7 @@ TriangleSieve::TriangleSieve(const Ray<T>& ray, const Aabb& bounds) {
   shear_y_ = static_cast<float>(ray.direction[axes_[1]] / along);
   scale_z_ = static_cast<float>(1 / along);
 
-  const Vec3<T> to_lo = glm::abs(Vec3<T>(bounds.lo) - ray.origin), to_hi = glm::abs(Vec3<T>(bounds.hi) - ray.origin);
-  const T reach = max_norm(glm::max(to_lo, to_hi));
+  const T reach = reach_of(ray.origin, bounds);
   const bool is_in_range = reach <= largest;
   T moved = 0;
   for (int i = 0; i < 3; ++i) {
