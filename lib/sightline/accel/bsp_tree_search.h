@@ -166,23 +166,13 @@ class SplitSearch {
 
   // Extents of the fragments along a normal.
 
-  static Interval<double> extent_of(std::span<const Vec3d> points, const Vec3d& normal) {
-    Interval<double> extent;
-    for (const Vec3d& p : points) {
-      const double height = glm::dot(normal, p);
-      extent.lo = height < extent.lo ? height : extent.lo;
-      extent.hi = height > extent.hi ? height : extent.hi;
-    }
-    return extent;
-  }
-
   /// Of every step-th fragment.
   void measure_each(const SplitPlane& split, const Fragments& fragments, std::uint32_t step) {
     const Vec3d normal(split.normal);
     lows_.clear();
     highs_.clear();
     for (std::uint32_t i = 0; i < fragments.size(); i += step) {
-      const Interval<double> extent = extent_of(fragments.points(fragments[i]), normal);
+      const Interval<double> extent = extent_along(fragments.points(fragments[i]), normal);
       lows_.push_back(extent.lo);
       highs_.push_back(extent.hi);
     }

@@ -15,6 +15,17 @@
 
 namespace sightline {
 
+/// Lowest and highest normal . point.
+inline Interval<double> extent_along(std::span<const Vec3d> points, const Vec3d& normal) {
+  Interval<double> extent;
+  for (const Vec3d& point : points) {
+    const double height = glm::dot(normal, point);
+    extent.lo = height < extent.lo ? height : extent.lo;
+    extent.hi = height > extent.hi ? height : extent.hi;
+  }
+  return extent;
+}
+
 /// A bounded convex polyhedron; flat ones are legal and have an area too (both of their sides).
 ///   C1  Every face is a convex loop, counter-clockwise when seen from outside; neighbours share vertex numbers.
 ///   C2  No more than max_vertices: a cut that would make more leaves the cell whole, which is still a superset.
@@ -61,15 +72,7 @@ class ConvexCell {
   }
 
   /// Lowest and highest normal . vertex.
-  Interval<double> extent(const Vec3d& normal) const {
-    Interval<double> extent;
-    for (const Vec3d& vertex : vertices_) {
-      const double height = glm::dot(normal, vertex);
-      extent.lo = height < extent.lo ? height : extent.lo;
-      extent.hi = height > extent.hi ? height : extent.hi;
-    }
-    return extent;
-  }
+  Interval<double> extent(const Vec3d& normal) const { return extent_along(vertices_, normal); }
 
   /// Area of the cell's projection along a normal of any length.
   double shadow(const Vec3d& normal) const {
