@@ -106,15 +106,6 @@ class WideTree {
     if (!nodes_.empty()) see_cells(bounds_, 0, 0, see);
   }
 
-  /// Calls see(LeafRange) for every leaf, in order of position.
-  template <class See>
-  void for_each_leaf(See&& see) const {
-    if (nodes_.empty()) return;
-    for_each_cell([&](const Cell& cell) {
-      if (cell.is_leaf) see(cell.range);
-    });
-  }
-
  private:
   class Builder;
   template <class T>
@@ -226,9 +217,7 @@ class WideTree::Opener {
     const auto sorted_lo = hn::TableLookupLanes(lo, hn::IndicesFromVec(f, sorted));
     const auto sorted_hi = hn::TableLookupLanes(hi, hn::IndicesFromVec(f, sorted));
     const auto is_met = hn::Le(sorted_lo, sorted_hi);
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(f, is_met, bytes);
-    const std::uint32_t bits = bytes[0];
+    const std::uint32_t bits = bits_of(f, is_met);
     if (bits == 0) return false;
     const auto links = hn::TableLookupLanes(hn::Load(u, node.links.data()), hn::IndicesFromVec(u, sorted));
     hn::StoreU(hn::Compress(sorted_lo, is_met), f, waiting.enters.data() + count);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "sightline/accel/accelerator.h"
@@ -139,6 +140,7 @@ class PackedLeaves {
 
   template <class T, class See>
   void for_each_crossing(PreparedRay<T>& ray, LeafRange leaf, T far, See&& see) const {
+    static_assert(level != Level::fast || std::is_same_v<T, float>, "fast is a level of float rays");
     blocks_.for_each(leaf, [&](const TriangleBlock& block) {
       const auto for_each_lane = [&](std::uint32_t lanes, auto&& crossing_of) {
         for (; lanes != 0; lanes &= lanes - 1) {

@@ -28,6 +28,10 @@ T parameter(const Crossing& crossing) {
   return static_cast<T>(crossing.t) + T(0);
 }
 
+/// A ray as the leaves test with it.
+template <class T, class Leaves>
+using Prepared = decltype(std::declval<const Leaves&>().prepare(std::declval<const Ray<T>&>()));
+
 template <class T>
 Hit<T> hit_of(T t, std::uint32_t id, const Crossing& crossing) {
   return {t, id, static_cast<T>(crossing.u), static_cast<T>(crossing.v)};
@@ -39,7 +43,7 @@ Hit<T> hit_of(T t, std::uint32_t id, const Crossing& crossing) {
 template <class T, class Leaves>
 struct ClosestQuery {
   const Ray<T>& ray;
-  decltype(std::declval<const Leaves&>().prepare(std::declval<const Ray<T>&>())) prepared;
+  detail::Prepared<T, Leaves> prepared;
   Hit<T> best{};
 
   ClosestQuery(const Leaves& leaves, const Ray<T>& its_ray) : ray(its_ray), prepared(leaves.prepare(its_ray)) {}
@@ -62,7 +66,7 @@ struct ClosestQuery {
 template <class T, class Leaves>
 struct AnyQuery {
   const Ray<T>& ray;
-  decltype(std::declval<const Leaves&>().prepare(std::declval<const Ray<T>&>())) prepared;
+  detail::Prepared<T, Leaves> prepared;
   bool is_found = false;
 
   AnyQuery(const Leaves& leaves, const Ray<T>& its_ray) : ray(its_ray), prepared(leaves.prepare(its_ray)) {}
