@@ -70,6 +70,10 @@ std::string catalogue() {
   for (const WorkloadInfo& info : workload_infos) {
     text += "  " + std::string(info.name) + '\n' + wrapped(std::string(info.description), 6);
   }
+  text += "\nLevels, for --level:\n";
+  for (const LevelInfo& info : level_infos) {
+    text += "  " + std::string(info.name) + '\n' + wrapped(std::string(info.help), 6);
+  }
   text += "\nScenes (NAME or NAME:SIZE, or the path of an OBJ, PLY, STL, OFF or glTF file):\n";
   for (const SceneInfo& info : scene_infos()) {
     const std::string sizes = "Sizes " + std::to_string(info.lowest) + " to " + std::to_string(info.highest) +
