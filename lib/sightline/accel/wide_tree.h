@@ -11,7 +11,8 @@
 #include "sightline/accel/accelerator.h"
 #include "sightline/accel/large_pages.h"
 #include "sightline/accel/padded_ray.h"
-#include "sightline/accel/tree_collapse.h"
+#include "sightline/accel/wide_tree_builder.h"
+#include "sightline/accel/wide_tree_node.h"
 #include "sightline/math/simd.h"
 
 namespace sightline {
@@ -41,43 +42,9 @@ struct WideTreeOptions {
 /// Rays", 2008; children in the order of the direction's octant: Garanzha and Loop, "Fast Ray Sorting and
 /// Breadth-First Packet Traversal for GPU Ray Tracing", 2010, and Ylitie, Karras and Laine 2017 (tree_collapse.h).
 class WideTree {
-  static constexpr int width = 8;
-
-  /// How a node names a child. Where there is none, its box is empty, so that no ray meets it, unless the direction is
-  /// too small to invert on all axes.
-  class Link {
-   public:
-    static constexpr std::uint32_t limit = std::uint32_t{1} << 28;  ///< Of nodes and of positions.
-
-    static constexpr std::uint32_t none = 15;
-
-    static std::uint32_t to_node(std::uint32_t index) { return index << 4; }
-    static std::uint32_t to_leaf(LeafRange range) { return range.first << 4 | range.count; }
-    static bool is_leaf(std::uint32_t link) { return link & 15; }
-    static std::uint32_t node(std::uint32_t link) { return link >> 4; }
-    static LeafRange leaf(std::uint32_t link) { return {link >> 4, link & 15}; }
-  };
-
-  struct alignas(64) Node {
-    std::array<float, 6 * width> planes;  ///< Of all children: low x, y, z, high x, y, z.
-    std::array<std::uint32_t, width> links;
-    /// For each octant of directions (a bit is set where a component is negative) the children, those farther along
-    /// first: three bits each.
-    std::array<std::uint32_t, 8> orders;
-
-    float plane(int index, int child) const { return planes[static_cast<std::size_t>(index * width + child)]; }
-    Aabb box(int child) const {
-      return {{plane(0, child), plane(1, child), plane(2, child)}, {plane(3, child), plane(4, child), plane(5, child)}};
-    }
-    void set(int child, const Aabb& box, std::uint32_t link) {
-      links[child] = link;
-      for (int axis = 0; axis < 3; ++axis) {
-        planes[static_cast<std::size_t>(axis * width + child)] = box.lo[axis];
-        planes[static_cast<std::size_t>((axis + 3) * width + child)] = box.hi[axis];
-      }
-    }
-  };
-  static_assert(sizeof(Node) == 256);
+  using Node = WideNode;
+  using Link = WideLink;
+  static constexpr int width = Node::width;
 
  public:
   static constexpr std::string_view name = "wide-tree";
@@ -107,7 +74,6 @@ class WideTree {
   }
 
  private:
-  class Builder;
   template <class T>
   struct Waiting;
   template <class T>
@@ -299,67 +265,6 @@ void WideTree::traverse(const Ray<T>& ray, Visit&& visit, Probe& probe) const {
 
 // ---- Construction
 
-class WideTree::Builder {
- public:
-  Builder(const BinaryTree& binary, const TreeCollapse<width>& collapse, LargeVector<Node>& nodes)
-      : binary_(binary), collapse_(collapse), nodes_(nodes) {}
-
-  void build() {
-    nodes_.emplace_back();
-    make(0, 0, 0);
-    nodes_.shrink_to_fit();
-  }
-
- private:
-  /// Makes the wide node `index` of a binary one whose primitives begin at position `first`.
-  void make(std::uint32_t index, std::uint32_t root, std::uint32_t first) {
-    const auto children = collapse_.children(root);
-    const std::uint32_t first_child = static_cast<std::uint32_t>(nodes_.size());
-    std::uint32_t inner_count = 0;
-    Node node;
-    for (int child = 0; child < width; ++child) node.set(child, Aabb(), Link::none);
-    std::array<std::uint32_t, width> positions;
-    for (int child = 0; child < children.count; ++child) {
-      const BinaryTree::Node& from = binary_[children.nodes[child]];
-      positions[child] = first;
-      const bool is_leaf = collapse_.is_leaf(children.nodes[child]);
-      node.set(child, from.box,
-               is_leaf ? Link::to_leaf({first, from.count}) : Link::to_node(first_child + inner_count++));
-      first += from.count;
-    }
-    for (std::uint32_t octant = 0; octant < 8; ++octant) {
-      node.orders[octant] = order_along(node, children.count, octant);
-    }
-    nodes_[index] = node;
-    nodes_.resize(nodes_.size() + inner_count);
-    for (int child = 0; child < children.count; ++child) {
-      const std::uint32_t link = node.links[child];
-      if (!Link::is_leaf(link)) make(Link::node(link), children.nodes[child], positions[child]);
-    }
-  }
-
-  /// By the middles of the boxes along the octant's diagonal; children that are none come first.
-  static std::uint32_t order_along(const Node& node, int count, std::uint32_t octant) {
-    std::array<std::pair<double, std::uint32_t>, width> reach;
-    for (int child = 0; child < width; ++child) {
-      double sum = 0;
-      for (int axis = 0; axis < 3; ++axis) {
-        const double middle = double(node.plane(axis, child)) + double(node.plane(axis + 3, child));
-        sum += octant >> axis & 1 ? middle : -middle;
-      }
-      reach[child] = {child < count ? sum : -std::numeric_limits<double>::infinity(), child};
-    }
-    std::sort(reach.begin(), reach.end());
-    std::uint32_t order = 0;
-    for (int i = 0; i < width; ++i) order |= reach[i].second << (3 * i);
-    return order;
-  }
-
-  const BinaryTree& binary_;
-  const TreeCollapse<width>& collapse_;
-  LargeVector<Node>& nodes_;
-};
-
 inline WideTree WideTree::build(const Primitives& primitives, const Options& options) {
   validate(name, options);
   if (primitives.size() > Link::limit) throw std::length_error("wide-tree: more than 2^28 primitives");
@@ -369,7 +274,7 @@ inline WideTree WideTree::build(const Primitives& primitives, const Options& opt
   tree.bounds_ = binary[0].box;
   const TreeCollapse<width> collapse(binary,
                                      {options.traversal_cost, options.intersection_cost, options.max_leaf_size});
-  Builder(binary, collapse, tree.nodes_).build();
+  WideTreeBuilder(binary, collapse, tree.nodes_).build();
   tree.order_ = std::move(binary.order);
   return tree;
 }

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sightline/accel/probe.h"
+#include "sightline/math/aabb.h"
+
+namespace sightline {
+
+/// How a node of a wide tree names a child. Where there is none, its box is empty, so that no ray meets it, unless the
+/// direction is too small to invert on all axes.
+class WideLink {
+ public:
+  static constexpr std::uint32_t limit = std::uint32_t{1} << 28;  ///< Of nodes and of positions.
+
+  static constexpr std::uint32_t none = 15;
+
+  static std::uint32_t to_node(std::uint32_t index) { return index << 4; }
+  static std::uint32_t to_leaf(LeafRange range) { return range.first << 4 | range.count; }
+  static bool is_leaf(std::uint32_t link) { return link & 15; }
+  static std::uint32_t node(std::uint32_t link) { return link >> 4; }
+  static LeafRange leaf(std::uint32_t link) { return {link >> 4, link & 15}; }
+};
+
+/// A node of a wide tree: the boxes of its children, plane by plane.
+struct alignas(64) WideNode {
+  static constexpr int width = 8;
+
+  std::array<float, 6 * width> planes;  ///< Of all children: low x, y, z, high x, y, z.
+  std::array<std::uint32_t, width> links;
+  /// For each octant of directions (a bit is set where a component is negative) the children, those farther along
+  /// first: three bits each.
+  std::array<std::uint32_t, 8> orders;
+
+  float plane(int index, int child) const { return planes[static_cast<std::size_t>(index * width + child)]; }
+  Aabb box(int child) const {
+    return {{plane(0, child), plane(1, child), plane(2, child)}, {plane(3, child), plane(4, child), plane(5, child)}};
+  }
+  void set(int child, const Aabb& box, std::uint32_t link) {
+    links[child] = link;
+    for (int axis = 0; axis < 3; ++axis) {
+      planes[static_cast<std::size_t>(axis * width + child)] = box.lo[axis];
+      planes[static_cast<std::size_t>((axis + 3) * width + child)] = box.hi[axis];
+    }
+  }
+};
+static_assert(sizeof(WideNode) == 256);
+
+}  // namespace sightline
