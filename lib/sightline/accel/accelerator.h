@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -24,6 +25,19 @@ template <class V, class T>
 concept LeafVisitor = requires(V visit, LeafRange leaf) {
   { visit(leaf) } -> std::same_as<T>;
 };
+
+/// Whether a visitor says that the order of leaves does not matter to it, as when any hit will do: then a structure may
+/// take the order that costs it least.
+template <class V>
+inline constexpr bool takes_any_order = requires {
+  requires std::remove_cvref_t<V>::takes_any_order;
+};
+
+/// Has what a visitor reads of a leaf brought near, where it knows how.
+template <class V>
+void fetch_leaf(const V& visit, LeafRange leaf) {
+  if constexpr (requires { visit.fetch(leaf); }) visit.fetch(leaf);
+}
 
 /// One region of a structure, for drawing and for the laws that test coverage.
 struct Cell {

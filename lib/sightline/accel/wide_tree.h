@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -10,10 +8,8 @@
 
 #include "sightline/accel/accelerator.h"
 #include "sightline/accel/large_pages.h"
-#include "sightline/accel/padded_ray.h"
 #include "sightline/accel/wide_tree_builder.h"
-#include "sightline/accel/wide_tree_node.h"
-#include "sightline/math/simd.h"
+#include "sightline/accel/wide_tree_walk.h"
 
 namespace sightline {
 
@@ -74,19 +70,10 @@ class WideTree {
   }
 
  private:
-  template <class T>
-  struct Waiting;
-  template <class T>
-  class Opener;
-
-  std::uint32_t number_of(std::uint32_t link) const {
-    return Link::node(link) + (Link::is_leaf(link) ? static_cast<std::uint32_t>(nodes_.size()) : 0);
-  }
-
   template <class See>
   void see_cells(const Aabb& box, std::uint32_t link, int depth, See& see) const {
     const bool is_leaf = Link::is_leaf(link);
-    see(Cell{box, depth, is_leaf, is_leaf ? Link::leaf(link) : LeafRange{}, number_of(link)});
+    see(Cell{box, depth, is_leaf, is_leaf ? Link::leaf(link) : LeafRange{}, Link::number(link, nodes_.size())});
     if (is_leaf) return;
     const Node& node = nodes_[Link::node(link)];
     for (int child = 0; child < width && node.links[child] != Link::none; ++child) {
@@ -101,165 +88,40 @@ class WideTree {
 
 // ---- Traversal
 
-/// What waits, nearest last as far as the order of octants tells. Times and links are apart because they are written
-/// whole registers at a time. The owner counts, so that compilers keep the count in a register.
-template <class T>
-struct WideTree::Waiting {
-  static constexpr std::size_t capacity = BinaryTree::max_depth * (width - 1) + 2 * width;  // W3, and a register more
-
-  std::array<T, capacity> enters;
-  std::array<std::uint32_t, capacity> links;
-};
-
-/// Tests the children of a node: PaddedRay::clip of eight boxes.
-template <class T>
-class WideTree::Opener {
- public:
-  explicit Opener(const PaddedRay<T>& ray)
-      : enter_(ray.enter_origin), leave_(ray.leave_origin), inverse_(ray.inverse), t_min_(ray.t_min) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      near_[axis] = (ray.is_negative[axis] ? axis + 3 : axis) * width;
-      far_[axis] = (ray.is_negative[axis] ? axis : axis + 3) * width;
-      octant_ |= std::size_t{ray.is_negative[axis]} << axis;
-    }
-  }
-
-  /// Puts the children that the ray meets before `far` into `waiting`, after the first `count`, farther ones first, but
-  /// for the nearest: that is `link`, entered at `enter`. False when there is none.
-  [[gnu::always_inline]] bool open(const Node& node, T far, Waiting<T>& waiting, std::size_t& count,
-                                   std::uint32_t& link, T& enter) const {
-    if constexpr (is_one_register) {
-      return open_at_once(node, far, waiting, count, link, enter);
-    } else {
-      std::uint32_t order = node.orders[octant_];
-      bool is_any = false;
-      for (int i = 0; i < width; ++i, order >>= 3) {
-        const std::size_t child = order & 7;
-        const Interval<T> range = clip(node, child, far);
-        if (range.is_empty()) continue;
-        if (is_any) {
-          waiting.enters[count] = enter;
-          waiting.links[count++] = link;
-        }
-        is_any = true;
-        link = node.links[child];
-        enter = range.lo;
-      }
-      return is_any;
-    }
-  }
-
- private:
-  using Floats = hn::CappedTag<float, width>;
-  static constexpr bool is_one_register = std::is_same_v<T, float> && hn::MaxLanes(Floats()) == std::size_t{width};
-
-  Interval<T> clip(const Node& node, std::size_t child, T far) const {
-    Interval<T> range{t_min_, far};
-    for (int axis = 0; axis < 3; ++axis) {
-      const T near_plane = (node.planes[near_[axis] + child] - enter_[axis]) * inverse_[axis];
-      const T far_plane = (node.planes[far_[axis] + child] - leave_[axis]) * inverse_[axis];
-      range.lo = near_plane > range.lo ? near_plane : range.lo;  // a NaN bounds nothing
-      range.hi = far_plane < range.hi ? far_plane : range.hi;
-    }
-    return range;
-  }
-
-  [[gnu::always_inline]] bool open_at_once(const Node& node, float far, Waiting<T>& waiting, std::size_t& count,
-                                           std::uint32_t& link, float& enter) const {
-    const Floats f;
-    const hn::RebindToUnsigned<Floats> u;
-    const auto met = [&](std::size_t plane, T origin, T inverse) {
-      return hn::Mul(hn::Sub(hn::Load(f, node.planes.data() + plane), hn::Set(f, origin)), hn::Set(f, inverse));
-    };
-    const auto entered = [&](int axis) { return met(near_[axis], enter_[axis], inverse_[axis]); };
-    const auto left = [&](int axis) { return met(far_[axis], leave_[axis], inverse_[axis]); };
-    // A NaN bounds nothing: the second pair's partner is none, so neither is the result.
-    const auto lo = larger(larger(entered(0), entered(1)), larger(entered(2), hn::Set(f, t_min_)));
-    const auto hi = smaller(smaller(left(0), left(1)), smaller(left(2), hn::Set(f, far)));
-
-    const std::uint32_t order = node.orders[octant_];
-    const auto shifts = hn::Mul(hn::Iota(u, 0), hn::Set(u, 3));
-    const auto sorted = hn::And(hn::Shr(hn::Set(u, order), shifts), hn::Set(u, 7));
-    const auto sorted_lo = hn::TableLookupLanes(lo, hn::IndicesFromVec(f, sorted));
-    const auto sorted_hi = hn::TableLookupLanes(hi, hn::IndicesFromVec(f, sorted));
-    const auto is_met = hn::Le(sorted_lo, sorted_hi);
-    const std::uint32_t bits = bits_of(f, is_met);
-    if (bits == 0) return false;
-    const auto links = hn::TableLookupLanes(hn::Load(u, node.links.data()), hn::IndicesFromVec(u, sorted));
-    hn::StoreU(hn::Compress(sorted_lo, is_met), f, waiting.enters.data() + count);
-    hn::StoreU(hn::Compress(links, hn::RebindMask(u, is_met)), u, waiting.links.data() + count);
-    count += static_cast<std::size_t>(std::popcount(bits)) - 1;
-    link = node.links[order >> (3 * (31 - std::countl_zero(bits))) & 7];
-    enter = waiting.enters[count];
-    return true;
-  }
-
-  Vec3<T> enter_, leave_, inverse_;
-  T t_min_;
-  std::array<std::size_t, 3> near_, far_;
-  std::size_t octant_ = 0;
-};
-
-/// A traversal that goes on step by step, so that many can be under way at once and none waits for memory alone.
-/// Refers to the tree.
+/// With its stack.
 template <class T>
 class WideTree::Walk {
  public:
-  Walk(const WideTree& tree, const Ray<T>& ray) : Walk(tree, PaddedRay<T>(ray, tree.bounds_)) {}
+  Walk(const WideTree& tree, const Ray<T>& ray) : walk_(tree.nodes_, tree.bounds_, ray) {}
 
-  /// Opens a node or visits a leaf; false when none is left.
+  /// False for a ray that `traverse` has to take.
+  bool serves() const { return walk_.serves(); }
+
   template <LeafVisitor<T> Visit, class Probe>
   [[gnu::always_inline]] bool step(Visit&& visit, Probe& probe) {
-    if (!Link::is_leaf(link_)) {
-      probe.node(tree_.number_of(link_), static_cast<double>(enter_));
-      if (opener_.open(tree_.nodes_[Link::node(link_)], far_, waiting_, count_, link_, enter_)) return true;
-    } else if (link_ != Link::none) {
-      const LeafRange range = Link::leaf(link_);
-      probe.leaf(tree_.number_of(link_), range, static_cast<double>(enter_));
-      far_ = visit(range);
-      if (far_ < t_min_) return false;
-    }
-    while (count_ > 0) {
-      --count_;
-      link_ = waiting_.links[count_];
-      enter_ = waiting_.enters[count_];
-      if (enter_ <= far_) return true;
-      probe.cull(tree_.number_of(link_), static_cast<double>(enter_));
-    }
-    return false;
+    return walk_.step(stack_, visit, probe);
   }
 
-  /// Has what the next step reads brought near: a node, or the leaf that fetch_leaf(range) is told of.
-  template <class FetchLeaf>
-  void fetch(FetchLeaf&& fetch_leaf) const {
-    if (!Link::is_leaf(link_)) {
-      prefetch(&tree_.nodes_[Link::node(link_)], sizeof(Node));
-    } else if (link_ != Link::none) {
-      fetch_leaf(Link::leaf(link_));
-    }
+  template <class Visit>
+  void fetch_next(const Visit& visit) const {
+    walk_.fetch_next(visit);
   }
 
  private:
-  Walk(const WideTree& tree, const PaddedRay<T>& ray)
-      : tree_(tree),
-        opener_(ray),
-        t_min_(ray.t_min),
-        far_(ray.t_max),
-        enter_(ray.t_min),
-        link_(ray.t_min <= ray.t_max ? 0 : Link::none) {}
-
-  const WideTree& tree_;
-  Opener<T> opener_;
-  T t_min_, far_, enter_;
-  std::uint32_t link_;  ///< Of the next step.
-  std::size_t count_ = 0;
-  Waiting<T> waiting_;
+  WideWalk<T, WideOpenerOf<T>> walk_;
+  WideStack<T> stack_;
 };
 
 template <class T, LeafVisitor<T> Visit, class Probe>
 void WideTree::traverse(const Ray<T>& ray, Visit&& visit, Probe& probe) const {
-  Walk<T> walk(*this, ray);
-  while (walk.step(visit, probe)) {
+  WideWalk<T, WideOpenerOf<T>> walk(nodes_, bounds_, ray);
+  WideStack<T> stack;
+  if (walk.serves()) {
+    while (walk.step(stack, visit, probe)) walk.fetch_waiting(stack, visit);
+  } else {
+    WideWalk<T, WideOpener<T>> any_walk(nodes_, bounds_, ray);
+    while (any_walk.step(stack, visit, probe)) {
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "sightline/accel/probe.h"
@@ -21,6 +22,10 @@ class WideLink {
   static bool is_leaf(std::uint32_t link) { return link & 15; }
   static std::uint32_t node(std::uint32_t link) { return link >> 4; }
   static LeafRange leaf(std::uint32_t link) { return {link >> 4, link & 15}; }
+  /// By which probes and cells name it: a node's place, a leaf's first position counted on from the last node.
+  static std::uint32_t number(std::uint32_t link, std::size_t nodes) {
+    return node(link) + (is_leaf(link) ? static_cast<std::uint32_t>(nodes) : 0);
+  }
 };
 
 /// A node of a wide tree: the boxes of its children, plane by plane.

@@ -40,7 +40,7 @@ struct Aabb {
 
 /// Largest distance over the axes from `origin` to the faces of `bounds`.
 template <class T>
-T reach_of(const Vec3<T>& origin, const Aabb& bounds) {
+[[gnu::always_inline]] inline T reach_of(const Vec3<T>& origin, const Aabb& bounds) {
   const Vec3<T> to_lo = glm::abs(Vec3<T>(bounds.lo) - origin), to_hi = glm::abs(Vec3<T>(bounds.hi) - origin);
   return max_norm(glm::max(to_lo, to_hi));
 }

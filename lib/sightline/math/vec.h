@@ -28,10 +28,11 @@ T max_norm(const Vec3<T>& v) {
   return xy > z ? xy : z;
 }
 
-/// The axis of the largest component; of equal ones the first.
+/// The axis of the largest component; of equal ones the first. Without branches, which rays would mispredict.
 template <class T>
 int largest_axis(const Vec3<T>& v) {
-  return v.x >= v.y && v.x >= v.z ? 0 : v.y >= v.z ? 1 : 2;
+  const int is_y = v.y > v.x, is_z = v.z > (v.x < v.y ? v.y : v.x);
+  return 2 * is_z | (is_y & ~is_z);
 }
 
 }  // namespace sightline

@@ -61,13 +61,13 @@ class TriangleBlocks {
     for_each_leaf(accel, [&](LeafRange leaf) { leaves.push_back(leaf); });
     const std::span<const std::uint32_t> order = accel.leaf_order();
     tbb::parallel_for(std::size_t(0), leaves.size(), [&](std::size_t i) {
-      for_each_block(leaves[i], [&](LeafRange block) {
+      for (LeafRange leaf = leaves[i]; leaf.count > 0;) {
+        const LeafRange block = next_block(leaf);
         for (std::uint32_t lane = 0; lane < block.count; ++lane) {
           const std::uint32_t id = order[block.first + lane];
           TriangleBlock::store(mesh[id], id, floats_.data() + at(block), block.count, lane);
         }
-        return true;
-      });
+      }
     });
   }
 
@@ -78,26 +78,20 @@ class TriangleBlocks {
     prefetch(floats_.data() + at(leaf), std::min(leaf.count, TriangleBlock::lanes) * rows * sizeof(float));
   }
 
-  /// Calls see(block) until it returns false.
-  template <class See>
-  void for_each(LeafRange leaf, See&& see) const {
-    for_each_block(leaf, [&](LeafRange block) { return see(TriangleBlock(floats_.data() + at(block), block.count)); });
+  /// The leaf's first block, which is taken away from it.
+  static LeafRange next_block(LeafRange& leaf) {
+    const LeafRange block{leaf.first, std::min(leaf.count, TriangleBlock::lanes)};
+    leaf = {leaf.first + block.count, leaf.count - block.count};
+    return block;
   }
+
+  TriangleBlock operator[](LeafRange block) const { return {floats_.data() + at(block), block.count}; }
 
  private:
   static constexpr std::size_t rows = TriangleBlock::rows;
   static constexpr std::size_t slack = TriangleBlock::lanes;  ///< The last row may be read past its end.
 
   static std::size_t at(LeafRange block) { return block.first * rows; }  // P1
-
-  template <class See>
-  static void for_each_block(LeafRange leaf, See&& see) {
-    while (leaf.count > 0) {
-      const LeafRange block{leaf.first, std::min(leaf.count, TriangleBlock::lanes)};
-      if (!see(block)) return;
-      leaf = {leaf.first + block.count, leaf.count - block.count};
-    }
-  }
 
   LargeVector<float> floats_;
 };
@@ -114,7 +108,7 @@ class PackedLeaves {
    public:
     PreparedRay(const Ray<T>& ray, const Aabb& bounds) : ray_(ray), bounds_(bounds) {}
 
-    const TriangleSieve& sieve() {
+    [[gnu::always_inline]] const TriangleSieve& sieve() {
       if (!sieve_) sieve_.emplace(ray_, bounds_);
       return *sieve_;
     }
@@ -139,35 +133,40 @@ class PackedLeaves {
   void fetch(LeafRange leaf) const { blocks_.fetch(leaf); }
 
   template <class T, class See>
-  void for_each_crossing(PreparedRay<T>& ray, LeafRange leaf, T far, See&& see) const {
+  [[gnu::always_inline]] void for_each_crossing(PreparedRay<T>& ray, LeafRange leaf, T far, See&& see) const {
     static_assert(level != Level::fast || std::is_same_v<T, float>, "fast is a level of float rays");
-    blocks_.for_each(leaf, [&](const TriangleBlock& block) {
-      const auto for_each_lane = [&](std::uint32_t lanes, auto&& crossing_of) {
-        for (; lanes != 0; lanes &= lanes - 1) {
-          const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-          Crossing crossing;
-          if (crossing_of(lane, crossing) && !see(block.id(lane), crossing)) return false;
-        }
-        return true;
-      };
-      const auto exactly = [&](std::uint32_t lane, Crossing& crossing) {
-        return ray.exact().intersect(block[lane], crossing);
-      };
+    while (leaf.count > 0) {
+      const TriangleBlock block = blocks_[TriangleBlocks::next_block(leaf)];
+      std::uint32_t unsure;
       if constexpr (level == Level::watertight) {
-        return for_each_lane(ray.sieve().may_cross(block), exactly);
+        unsure = ray.sieve().may_cross(block);
       } else {
         TriangleSieve::Crossings found;
         ray.sieve().cross(block, ray.t_min(), far, found);
-        const auto as_found = [&](std::uint32_t lane, Crossing& crossing) {
-          crossing = {found.t[lane], found.u[lane], found.v[lane]};
-          return true;
-        };
-        return for_each_lane(found.hits, as_found) && for_each_lane(found.unsure, exactly);
+        for (std::uint32_t lanes = found.hits; lanes != 0; lanes &= lanes - 1) {
+          const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+          if (!see(block.id(lane), Crossing{found.t[lane], found.u[lane], found.v[lane]})) return;
+        }
+        unsure = found.unsure;
       }
-    });
+      if (unsure != 0) [[unlikely]] {
+        if (!decide(ray, block, unsure, see)) return;
+      }
+    }
   }
 
  private:
+  /// Tests lanes exactly. False when `see` returned that.
+  template <class T, class See>
+  [[gnu::noinline]] static bool decide(PreparedRay<T>& ray, const TriangleBlock& block, std::uint32_t lanes, See& see) {
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+      Crossing crossing;
+      if (ray.exact().intersect(block[lane], crossing) && !see(block.id(lane), crossing)) return false;
+    }
+    return true;
+  }
+
   Aabb bounds_;
   const TriangleBlocks& blocks_;
 };

@@ -39,9 +39,17 @@ Hit<T> hit_of(T t, std::uint32_t id, const Crossing& crossing) {
 
 }  // namespace detail
 
+/// Leaves that can be brought near before they are tested.
+template <class L>
+concept FetchingLeaves = requires(const L& leaves, LeafRange leaf) {
+  leaves.fetch(leaf);
+};
+
 /// What a ray looks for and has found so far, told of one leaf after the other.
 template <class T, class Leaves>
 struct ClosestQuery {
+  static constexpr bool takes_any_order = false;
+
   const Ray<T>& ray;
   detail::Prepared<T, Leaves> prepared;
   Hit<T> best{};
@@ -49,7 +57,7 @@ struct ClosestQuery {
   ClosestQuery(const Leaves& leaves, const Ray<T>& its_ray) : ray(its_ray), prepared(leaves.prepare(its_ray)) {}
 
   /// Returns the far limit.
-  T visit(const Leaves& leaves, LeafRange leaf) {
+  [[gnu::always_inline]] T visit(const Leaves& leaves, LeafRange leaf) {
     leaves.for_each_crossing(prepared, leaf, std::min(best.t, ray.t_max),
                              [&](std::uint32_t id, const Crossing& crossing) {
                                const T t = detail::parameter<T>(crossing);
@@ -65,13 +73,15 @@ struct ClosestQuery {
 
 template <class T, class Leaves>
 struct AnyQuery {
+  static constexpr bool takes_any_order = true;
+
   const Ray<T>& ray;
   detail::Prepared<T, Leaves> prepared;
   bool is_found = false;
 
   AnyQuery(const Leaves& leaves, const Ray<T>& its_ray) : ray(its_ray), prepared(leaves.prepare(its_ray)) {}
 
-  T visit(const Leaves& leaves, LeafRange leaf) {
+  [[gnu::always_inline]] T visit(const Leaves& leaves, LeafRange leaf) {
     leaves.for_each_crossing(prepared, leaf, ray.t_max, [&](std::uint32_t, const Crossing& crossing) {
       is_found = detail::is_in_range(ray, detail::parameter<T>(crossing));
       return !is_found;
@@ -80,12 +90,26 @@ struct AnyQuery {
   }
 };
 
+/// Tells a query of the leaves that a traversal comes to.
+template <class Query, class Leaves>
+struct QueryVisitor {
+  static constexpr bool takes_any_order = Query::takes_any_order;
+
+  Query& query;
+  const Leaves& leaves;
+
+  [[gnu::always_inline]] auto operator()(LeafRange leaf) const { return query.visit(leaves, leaf); }
+  void fetch(LeafRange leaf) const requires FetchingLeaves<Leaves> { leaves.fetch(leaf); }
+};
+
+template <class Query, class Leaves>
+QueryVisitor(Query&, const Leaves&) -> QueryVisitor<Query, Leaves>;
+
 /// The nearest hit; of equally near ones that of the lowest id. A miss where there is none.
 template <class T, class Leaves, class Accel, class Probe>
 Hit<T> closest_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe& probe) {
   ClosestQuery<T, Leaves> query(leaves, ray);
-  accel.traverse(
-      ray, [&](LeafRange leaf) { return query.visit(leaves, leaf); }, probe);
+  accel.traverse(ray, QueryVisitor{query, leaves}, probe);
   return query.best;
 }
 
@@ -93,8 +117,7 @@ Hit<T> closest_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, 
 template <class T, class Leaves, class Accel, class Probe>
 bool any_hit(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, Probe& probe) {
   AnyQuery<T, Leaves> query(leaves, ray);
-  accel.traverse(
-      ray, [&](LeafRange leaf) { return query.visit(leaves, leaf); }, probe);
+  accel.traverse(ray, QueryVisitor{query, leaves}, probe);
   return query.is_found;
 }
 

@@ -21,12 +21,6 @@ concept Steppable = requires(const A& accel, const Ray<T>& ray) {
   typename A::template Walk<T>;
 };
 
-/// Leaves that can be brought near before they are tested.
-template <class L>
-concept FetchingLeaves = requires(const L& leaves, LeafRange leaf) {
-  leaves.fetch(leaf);
-};
-
 /// Rays under way at a time: enough to cover a walk to memory with the steps of the others, few enough for their stacks
 /// to stay in the first-level cache.
 inline constexpr std::size_t stream_width = 12;
@@ -47,19 +41,24 @@ void stream(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> ra
   NoProbe probe;
   std::size_t next = 0, under_way = 0;
   const auto fill = [&](std::optional<Slot>& slot) {
-    slot.reset();
-    if (next == rays.size()) return;
-    slot.emplace(accel, leaves, rays[next], next);
-    ++next;
-    ++under_way;
+    for (slot.reset(); next < rays.size() && !slot; ++next) {
+      slot.emplace(accel, leaves, rays[next], next);
+      if (slot->walk.serves()) {
+        ++under_way;
+      } else {
+        accel.traverse(rays[next], QueryVisitor{slot->query, leaves}, probe);
+        finish(next, slot->query);
+        slot.reset();
+      }
+    }
   };
   for (auto& slot : slots) fill(slot);
   while (under_way > 0) {
     for (auto& slot : slots) {
       if (!slot) continue;
-      const bool goes_on = slot->walk.step([&](LeafRange leaf) { return slot->query.visit(leaves, leaf); }, probe);
-      if (goes_on) {
-        slot->walk.fetch([&](LeafRange leaf) { leaves.fetch(leaf); });
+      const QueryVisitor visit{slot->query, leaves};
+      if (slot->walk.step(visit, probe)) {
+        slot->walk.fetch_next(visit);
       } else {
         finish(slot->index, slot->query);
         --under_way;

@@ -14,6 +14,7 @@
 ///       covers what underflows.
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -40,6 +41,8 @@ class TriangleBlock {
   TriangleBlock(const float* rows_begin, std::uint32_t count) : rows_(rows_begin), count_(count) {}
 
   std::uint32_t count() const { return count_; }
+  /// A bit for every lane.
+  std::uint32_t mask() const { return (1u << count_) - 1; }
   const float* row(std::uint32_t index) const { return rows_ + index * count_; }
 
   Triangle operator[](std::uint32_t lane) const {
@@ -70,14 +73,16 @@ class TriangleSieve {
   TriangleSieve(const Ray<T>& ray, const Aabb& bounds);
 
   /// One bit a lane: set where the line of the ray may cross the triangle, and always set where it does.
-  std::uint32_t may_cross(const TriangleBlock& block) const {
-    return gather_bits(block, [&](std::uint32_t lane) {
+  [[gnu::always_inline]] std::uint32_t may_cross(const TriangleBlock& block) const {
+    std::uint32_t bits = 0;
+    for (std::uint32_t lane = 0; lane < lanes_of(block); lane += step) {
       const Edges e = edges(block, lane);
       const V m = hn::Add(e.largest(), hn::Set(d, error_));
       const V bound = hn::Mul(m, hn::MulAdd(hn::Set(d, 4.1f * unit_roundoff), m, hn::Set(d, 4.1f * error_)));  // E2
-      const V lowest = hn::Min(e.u, hn::Min(e.v, e.w)), highest = hn::Max(e.u, hn::Max(e.v, e.w));
-      return hn::Not(hn::And(hn::Lt(lowest, hn::Neg(bound)), hn::Gt(highest, bound)));
-    });
+      const M is_outside = hn::And(hn::Lt(e.lowest(), hn::Neg(bound)), hn::Gt(e.highest(), bound));
+      bits |= bits_of(d, hn::Not(is_outside)) << lane;
+    }
+    return bits & block.mask();
   }
 
   /// What `cross` found, by lanes.
@@ -93,13 +98,43 @@ class TriangleSieve {
   ///       from the line by 12 u M^3 / |sum|, where M is the largest sheared coordinate and sum that of the edge
   ///       functions, t d from the mean by 8 u R. Where M^3 > R |sum|, as in triangles seen edge-on, or where numbers
   ///       leave the middle of the range of float, lanes are unsure.
-  void cross(const TriangleBlock& block, float t_min, float far, Crossings& found) const;
+  [[gnu::always_inline]] void cross(const TriangleBlock& block, float t_min, float far, Crossings& found) const {
+    if (!is_ordinary_) [[unlikely]] {
+      found.hits = 0;
+      found.unsure = may_cross(block);
+      return;
+    }
+    std::uint32_t hits = 0, unsure = 0;
+    for (std::uint32_t lane = 0; lane < lanes_of(block); lane += step) {
+      const Edges e = edges(block, lane);
+      const V zero = hn::Zero(d);
+      const M is_inside = hn::Or(hn::Ge(e.lowest(), zero), hn::Le(e.highest(), zero));
+      if (hn::AllFalse(d, is_inside)) continue;
+
+      const V sum = hn::Add(e.u, hn::Add(e.v, e.w)), size = hn::Abs(sum);
+      const V height = hn::MulAdd(e.u, e.az, hn::MulAdd(e.v, e.bz, hn::Mul(e.w, e.cz)));
+      const V t = hn::Div(hn::Mul(height, hn::Set(d, slopes_[2])), sum);
+      hn::StoreU(t, d, found.t + lane);
+      hn::StoreU(hn::Div(e.v, sum), d, found.u + lane);
+      hn::StoreU(hn::Div(e.w, sum), d, found.v + lane);
+
+      const V m = e.largest();
+      const M is_sure = hn::And(hn::Gt(size, hn::Set(d, 0x1p-80f)),
+                                hn::Le(hn::Mul(m, hn::Mul(m, m)), hn::Mul(hn::Set(d, reach_), size)));
+      const M is_in_range = hn::And(hn::Gt(t, hn::Set(d, t_min)), hn::Le(t, hn::Set(d, far)));
+      hits |= bits_of(d, hn::And(is_inside, hn::And(is_sure, is_in_range))) << lane;
+      unsure |= bits_of(d, hn::AndNot(is_sure, is_inside)) << lane;
+    }
+    found.hits = hits & block.mask();
+    found.unsure = unsure & block.mask();
+  }
 
  private:
   using D = hn::CappedTag<float, TriangleBlock::lanes>;
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
   static constexpr D d{};
+  static constexpr std::uint32_t step = hn::MaxLanes(d);
   static constexpr float unit_roundoff = 0x1p-24f;
 
   struct Edges {
@@ -107,17 +142,20 @@ class TriangleSieve {
     V az, bz, cz;              ///< Along the direction's largest component, from the origin.
     V ax, ay, bx, by, cx, cy;  ///< Sheared.
 
+    V lowest() const { return hn::Min(u, hn::Min(v, w)); }
+    V highest() const { return hn::Max(u, hn::Max(v, w)); }
+
     V largest() const {
       const auto larger = [](V p, V q) { return hn::Max(hn::Abs(p), hn::Abs(q)); };
       return hn::Max(larger(ax, ay), hn::Max(larger(bx, by), larger(cx, cy)));
     }
   };
 
-  Edges edges(const TriangleBlock& block, std::uint32_t lane) const {
+  [[gnu::always_inline]] Edges edges(const TriangleBlock& block, std::uint32_t lane) const {
     const V ox = hn::Set(d, origin_[0]), oy = hn::Set(d, origin_[1]), oz = hn::Set(d, origin_[2]);
-    const V sx = hn::Set(d, shear_x_), sy = hn::Set(d, shear_y_);
-    const auto load = [&](int corner, int axis) {
-      return hn::LoadU(d, block.row(static_cast<std::uint32_t>(3 * corner + axes_[axis])) + lane);
+    const V sx = hn::Set(d, slopes_[0]), sy = hn::Set(d, slopes_[1]);
+    const auto load = [&](std::uint32_t corner, int axis) {
+      return hn::LoadU(d, block.row(static_cast<std::uint32_t>(axes_[axis])) + 3 * corner * block.count() + lane);
     };
     Edges e;
     e.az = hn::Sub(load(0, 2), oz), e.bz = hn::Sub(load(1, 2), oz), e.cz = hn::Sub(load(2, 2), oz);
@@ -130,50 +168,51 @@ class TriangleSieve {
     return e;
   }
 
-  /// Bits of the lanes in which test(first lane) is true, as many registers as the lanes need.
-  template <class Test>
-  static std::uint32_t gather_bits(const TriangleBlock& block, Test&& test) {
-    std::uint32_t bits = 0;
-    for (std::uint32_t lane = 0; lane < block.count(); lane += hn::Lanes(d)) {
-      bits |= bits_of(d, test(lane)) << lane;
-    }
-    return bits & ((1u << block.count()) - 1);
+  /// How many lanes of the block to go through, `step` at a time.
+  static std::uint32_t lanes_of(const TriangleBlock& block) {
+    return hn::MaxLanes(d) == TriangleBlock::lanes ? TriangleBlock::lanes : block.count();
   }
 
-  float origin_[3];          ///< In the order of axes_.
-  int axes_[3];              ///< The last is that of the direction's largest component.
-  float shear_x_, shear_y_;  ///< Slopes against the last axis.
-  float scale_z_;
+  /// By the axis of the direction's largest component, which comes last.
+  static constexpr std::array<std::array<int, 4>, 3> axis_orders{{{1, 2, 0, 3}, {2, 0, 1, 3}, {0, 1, 2, 3}}};
+
+  float origin_[4];  ///< In the order of axes_.
+  float slopes_[4];  ///< Of the first two axes against the last, and 1 / the last of the direction.
+  int axes_[3];
   float error_;       ///< e of E1.
   float reach_;       ///< R.
   bool is_ordinary_;  ///< Nothing that `cross` computes overflows or underflows.
 };
 
 template <class T>
-TriangleSieve::TriangleSieve(const Ray<T>& ray, const Aabb& bounds) {
+[[gnu::always_inline]] inline TriangleSieve::TriangleSieve(const Ray<T>& ray, const Aabb& bounds) {
   constexpr float largest = 0x1p+60f, smallest = 0x1p-20f;
-  const Vec3<T> size = glm::abs(ray.direction);
-  axes_[2] = largest_axis(size);
-  axes_[0] = axes_[2] == 2 ? 0 : axes_[2] + 1;
-  axes_[1] = axes_[0] == 2 ? 0 : axes_[0] + 1;
-  const T along = ray.direction[axes_[2]];
-  shear_x_ = static_cast<float>(ray.direction[axes_[0]] / along);
-  shear_y_ = static_cast<float>(ray.direction[axes_[1]] / along);
-  scale_z_ = static_cast<float>(1 / along);
-
+  const int last = largest_axis(glm::abs(ray.direction));
+  for (int i = 0; i < 3; ++i) axes_[i] = axis_orders[last][i];
+  const T along = ray.direction[last];
   const T reach = reach_of(ray.origin, bounds);
   const bool is_in_range = reach <= largest;
   T moved = 0;
-  for (int i = 0; i < 3; ++i) {
-    const T exact = is_in_range ? ray.origin[axes_[i]] : 0;
-    origin_[i] = static_cast<float>(exact);
-    if constexpr (!std::is_same_v<T, float>) moved = std::max(moved, std::fabs(exact - origin_[i]));
+  if constexpr (std::is_same_v<T, float> && hn::MaxLanes(hn::CappedTag<T, 4>()) == 4) {
+    const hn::CappedTag<T, 4> f;
+    const auto order = hn::SetTableIndices(f, axis_orders[last].data());
+    const auto in_order = [&](const Vec3<T>& v) { return hn::TableLookupLanes(hn::LoadU(f, &v.x), order); };
+    hn::StoreU(hn::IfThenElseZero(hn::FirstN(f, is_in_range ? 3 : 0), in_order(ray.origin)), f, origin_);
+    const auto slopes = hn::IfThenElse(hn::FirstN(f, 2), in_order(ray.direction), hn::Set(f, 1));
+    hn::StoreU(hn::Div(slopes, hn::Set(f, along)), f, slopes_);
+  } else {
+    for (int i = 0; i < 3; ++i) {
+      const T exact = is_in_range ? ray.origin[axes_[i]] : 0;
+      origin_[i] = static_cast<float>(exact);
+      moved = std::max(moved, std::fabs(exact - origin_[i]));
+      slopes_[i] = static_cast<float>((i < 2 ? ray.direction[axes_[i]] : 1) / along);
+    }
   }
   reach_ = static_cast<float>(std::min<T>(reach, largest)) * 0x1.00001p+0f;  // above what was rounded
   error_ = is_in_range ? std::max(6.1f * unit_roundoff * reach_ + 2.1f * static_cast<float>(moved), 0x1p-60f)
                        : std::numeric_limits<float>::infinity();  // E3
   const T speed = std::fabs(along);
-  is_ordinary_ = moved == 0 && reach >= smallest && is_in_range && speed <= largest && speed >= 1 / largest;
+  is_ordinary_ = (moved == 0) & (reach >= smallest) & is_in_range & (speed <= largest) & (speed >= 1 / largest);
 }
 
 }  // namespace sightline
