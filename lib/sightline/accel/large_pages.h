@@ -49,11 +49,11 @@ struct LargePageAllocator {
 template <class T>
 using LargeVector = std::vector<T, LargePageAllocator<T>>;
 
-/// Scratch of a fixed size whose elements are left as they are found, so that whoever writes them first, in parallel,
+/// An array of a fixed size whose elements are left as they are found, so that whoever writes them first, in parallel,
 /// makes the pages.
 template <class T>
 class LargeBuffer {
-  static_assert(std::is_trivially_copyable_v<T> && std::is_aggregate_v<T>);
+  static_assert(std::is_trivially_copyable_v<T> && (std::is_aggregate_v<T> || std::is_arithmetic_v<T>));
 
  public:
   LargeBuffer() = default;
@@ -70,6 +70,11 @@ class LargeBuffer {
   }
 
   std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  T* data() { return elements_; }
+  const T* data() const { return elements_; }
+  const T* begin() const { return elements_; }
+  const T* end() const { return elements_ + size_; }
   T& operator[](std::size_t i) { return elements_[i]; }
   const T& operator[](std::size_t i) const { return elements_[i]; }
   std::span<T> part(std::size_t first, std::size_t count) { return {elements_ + first, count}; }

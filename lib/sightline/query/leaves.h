@@ -3,6 +3,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <optional>
@@ -57,6 +58,7 @@ class TriangleBlocks {
   /// `accel` is final: its leaf order does not change any more.
   template <Accelerator A>
   TriangleBlocks(const TriangleMesh& mesh, const A& accel) : floats_(accel.leaf_order().size() * rows + slack) {
+    std::fill_n(floats_.data() + floats_.size() - slack, slack, 0.0f);
     std::vector<LeafRange> leaves;
     for_each_leaf(accel, [&](LeafRange leaf) { leaves.push_back(leaf); });
     const std::span<const std::uint32_t> order = accel.leaf_order();
@@ -93,7 +95,7 @@ class TriangleBlocks {
 
   static std::size_t at(LeafRange block) { return block.first * rows; }  // P1
 
-  LargeVector<float> floats_;
+  LargeBuffer<float> floats_;
 };
 
 /// Triangle blocks as queries of one precision level test them. Refers to its parts.
