@@ -1,16 +1,16 @@
 #pragma once
 /// The binary tree of boxes from which wide ones are made.
 
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
 #include <cstdint>
-#include <span>
+#include <type_traits>
 #include <vector>
 
+#include "sightline/accel/bounds_reference.h"
 #include "sightline/accel/large_pages.h"
 #include "sightline/accel/object_split.h"
-#include "sightline/accel/primitives.h"
+#include "sightline/accel/object_sweep.h"
 
 namespace sightline {
 
@@ -31,16 +31,12 @@ class BinaryTree {
   static constexpr int heuristic_depth = 48;
   static constexpr int max_depth = heuristic_depth + 32;
 
-  /// `bins`: on each axis, when many primitives are divided.
-  BinaryTree(const Primitives& primitives, int bins)
-      : order(primitives.size()), splitter_({1, 1, 1, bins}, {}), items_(primitives.size()) {
-    const std::uint32_t count = primitives.size();
+  /// Of references, whose ids may repeat. `bins`: on each axis, when many are divided.
+  BinaryTree(LargeBuffer<BoundsReference> references, int bins) : order(references.size()), splitter_({1, 1, 1, bins}) {
+    const std::size_t count = references.size();
     if (count == 0) return;
-    nodes_ = LargeBuffer<Node>(std::size_t{2} * count - 1);
-    tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t id) { items_[id] = {primitives.bounds(id), id}; });
-    grow(0, 0, count, 0);
-    tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t i) { order[i] = items_[i].id; });
-    items_ = LargeBuffer<BoundsReference>();
+    nodes_ = LargeBuffer<Node>(2 * count - 1);
+    grow(splitter_, whole_of(references.part(0, count)), 0, 0, 0);
   }
 
   std::vector<std::uint32_t> order;  ///< Ids by position (N2).
@@ -53,32 +49,37 @@ class BinaryTree {
   std::uint32_t right(std::uint32_t node) const { return node + 2 * nodes_[node + 1].count; }  // N1
 
  private:
-  struct Area {
-    double operator()(const Aabb& box) const { return half_area(box); }
-  };
+  using Sweep = ObjectSweep<HalfArea>;
 
   /// Subtrees smaller than this are not worth a task.
   static constexpr std::uint32_t task_size = 4096;
 
-  void grow(std::uint32_t node, std::uint32_t first, std::uint32_t count, int depth) {
-    const std::span items = items_.part(first, count);
-    const Aabb box = bounds_of(items);
-    nodes_[node] = {box, count, 0};
-    if (count == 1) return;
-    const std::size_t chosen = depth < heuristic_depth ? splitter_.cheapest(items, box) : splitter_.median(items);
-    const auto below = static_cast<std::uint32_t>(chosen);
-    const auto grow_left = [&] { grow(node + 1, first, below, depth + 1); };
-    const auto grow_right = [&] { grow(node + 2 * below, first + below, count - below, depth + 1); };
-    if (count < task_size) {
-      grow_left();
-      grow_right();
+  template <class Divider, class Part>
+  void grow(Divider& divider, const Part& part, std::uint32_t node, std::uint32_t first, int depth) {
+    if constexpr (!std::is_same_v<Divider, Sweep>) {
+      if (part.count() <= Sweep::most) {
+        Sweep sweep(part.items, splitter_.costs());
+        return grow(sweep, sweep.whole(), node, first, depth);
+      }
+    }
+    nodes_[node] = {part.box(), part.count(), 0};
+    const auto halves = depth < heuristic_depth ? divider.cheapest(part) : divider.median(part);
+    if (!halves) {
+      order[first] = part.id(0);
+      return;
+    }
+    const std::uint32_t below = halves->below.count();
+    const auto grow_below = [&] { grow(divider, halves->below, node + 1, first, depth + 1); };
+    const auto grow_above = [&] { grow(divider, halves->above, node + 2 * below, first + below, depth + 1); };
+    if (part.count() < task_size) {
+      grow_below();
+      grow_above();
     } else {
-      tbb::parallel_invoke(grow_left, grow_right);
+      tbb::parallel_invoke(grow_below, grow_above);
     }
   }
 
-  ObjectSplitter<Area> splitter_;
-  LargeBuffer<BoundsReference> items_;
+  ObjectSplitter<HalfArea> splitter_;
   LargeBuffer<Node> nodes_;
 };
 

@@ -21,7 +21,7 @@ struct BoundingBox {
   static BoundingBox around(const Aabb& box, std::span<const Vec3f>) {
     return {{box.lo.x, box.lo.y, box.lo.z, box.hi.x, box.hi.y, box.hi.z}};
   }
-  static double half_area_around(const Aabb& box) { return half_area(box); }
+  static float half_area_around(float x, float y, float z) { return x * y + y * z + z * x; }
   Aabb region() const { return {{planes[0], planes[1], planes[2]}, {planes[3], planes[4], planes[5]}}; }
 
   /// PaddedRay::clip, with all that depends on the direction's signs decided once a ray.

@@ -26,14 +26,12 @@ struct BoundingCylinder {
   static BoundingCylinder around(const Aabb& box, std::span<const Vec3f> points);
 
   /// The least of the three that stand along the axes, up to a constant factor.
-  static double half_area_around(const Aabb& box) {
-    if (box.is_empty()) return 0;
-    const Vec3d e = 0.5 * (Vec3d(box.hi) - Vec3d(box.lo));
-    const auto along = [](double length, double a, double b) {
-      const double radius = std::sqrt(a * a + b * b);
-      return radius * (radius + 2 * length);
+  static float half_area_around(float x, float y, float z) {
+    const auto along = [](float length, float a, float b) {
+      const float diameter = std::sqrt(a * a + b * b);
+      return diameter * (diameter + 2 * length);
     };
-    return std::min({along(e.x, e.y, e.z), along(e.y, e.z, e.x), along(e.z, e.x, e.y)});
+    return std::min({along(x, y, z), along(y, z, x), along(z, x, y)});
   }
 
   const Cylinder& region() const { return cylinder; }

@@ -34,11 +34,7 @@ struct BoundingSphere {
   }
 
   /// The ball through the corners, up to a constant factor.
-  static double half_area_around(const Aabb& box) {
-    if (box.is_empty()) return 0;
-    const Vec3d e = Vec3d(box.hi) - Vec3d(box.lo);
-    return glm::dot(e, e);
-  }
+  static float half_area_around(float x, float y, float z) { return x * x + y * y + z * z; }
 
   const Sphere& region() const { return ball; }
 

@@ -7,8 +7,11 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <memory>
 #include <ranges>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "sightline/accel/accelerator.h"
@@ -16,7 +19,9 @@
 #include "sightline/accel/bounding_cylinder.h"
 #include "sightline/accel/bounding_sphere.h"
 #include "sightline/accel/fixed_stack.h"
+#include "sightline/accel/large_pages.h"
 #include "sightline/accel/object_split.h"
+#include "sightline/accel/object_sweep.h"
 
 namespace sightline {
 
@@ -79,6 +84,14 @@ class BoundingVolumeHierarchy {
     if (!nodes_.empty()) see_subtree(0, 0, see);
   }
 
+  /// See for_each_leaf in accelerator.h.
+  template <class See>
+  void for_each_leaf(See&& see) const {
+    for (const Node& node : nodes_) {
+      if (node.is_leaf()) see(node.range());
+    }
+  }
+
  private:
   static constexpr int heuristic_depth = 48;
   static constexpr int max_depth = heuristic_depth + 32;
@@ -94,7 +107,7 @@ class BoundingVolumeHierarchy {
     see_subtree(index + node.link, depth + 1, see);
   }
 
-  std::vector<Node> nodes_;
+  LargeBuffer<Node> nodes_;
   std::vector<std::uint32_t> order_;
   Aabb bounds_;
 };
@@ -158,30 +171,32 @@ class BoundingVolumeHierarchy<Volume>::Builder {
  public:
   Builder(const Primitives& primitives, const Options& options)
       : primitives_(primitives),
-        splitter_({options.traversal_cost, options.intersection_cost, options.max_leaf_size, options.bins}, {}),
-        items_(primitives.size()) {}
+        splitter_({options.traversal_cost, options.intersection_cost, options.max_leaf_size, options.bins}) {}
 
   void build(BoundingVolumeHierarchy& tree) {
     const std::uint32_t count = primitives_.size();
-    tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t id) { items_[id] = {primitives_.bounds(id), id}; });
     if constexpr (Volume::needs_points) {
       points_per_item_ = most_points();
       points_.resize(count * points_per_item_);
     }
-    tree.bounds_ = bounds_of(items_);
+    LargeBuffer<BoundsReference> references = references_of(primitives_);
+    const ReferenceSet all = whole_of(references.part(0, count));
+    tree.bounds_ = all.box();
     tree.order_.resize(count);
     order_ = tree.order_;
-    grow(tree.nodes_, 0, count, 0);
-    tree.nodes_.shrink_to_fit();
+    Piece root;
+    grow_apart(all, root, 0, 0);
+    tree.nodes_ = joined(root);
   }
 
  private:
   using Nodes = std::vector<Node>;
   struct Area {
-    double operator()(const Aabb& box) const { return Volume::half_area_around(box); }
+    float operator()(float x, float y, float z) const { return Volume::half_area_around(x, y, z); }
   };
+  using Sweep = ObjectSweep<Area>;
 
-  /// Subtrees smaller than this are not worth a task.
+  /// Subtrees smaller than this are not worth a task; leaves are.
   static constexpr std::uint32_t task_size = 4096;
 
   std::size_t most_points() const {
@@ -197,55 +212,96 @@ class BoundingVolumeHierarchy<Volume>::Builder {
     return static_cast<std::size_t>(most);
   }
 
-  /// Appends the subtree of items [first, first + count), whose leaves take the same positions of the leaf order.
-  void grow(Nodes& nodes, std::uint32_t first, std::uint32_t count, int depth) {
-    const std::span items = std::span(items_).subspan(first, count);
-    const Aabb box = bounds_of(items);
-    const std::size_t below = depth < heuristic_depth ? splitter_.cheapest(items, box) : splitter_.median(items);
-    const std::size_t self = nodes.size();
-    nodes.emplace_back();
-    if (below == 0) {
-      nodes[self].link = first;
-      nodes[self].count = count;
-      finish_leaf(items, first);
-    } else {
-      const auto middle = first + static_cast<std::uint32_t>(below);
-      const auto grow_left = [&] { grow(nodes, first, middle - first, depth + 1); };
-      const auto grow_right = [&](Nodes& into) { grow(into, middle, first + count - middle, depth + 1); };
-      Nodes apart;
-      if (count < task_size) {
-        grow_left();
-      } else {
-        tbb::parallel_invoke(grow_left, [&] { grow_right(apart); });
-      }
-      nodes[self].link = static_cast<std::uint32_t>(nodes.size() - self);
-      nodes[self].count = 0;
-      if (count < task_size) {
-        grow_right(nodes);
-      } else {
-        nodes.insert(nodes.end(), apart.begin(), apart.end());
-      }
+  /// A subtree while it is built: either all its nodes, or the root and the subtrees below it.
+  struct Piece {
+    Nodes nodes;
+    std::unique_ptr<Piece> below, above;
+    std::size_t size = 0;  ///< Nodes of all.
+  };
+
+  /// Makes the subtree of a set, whose leaves take the positions from `first` on, with as many threads as there are.
+  void grow_apart(const ReferenceSet& set, Piece& piece, std::uint32_t first, int depth) {
+    if (set.count() < task_size) {
+      grow(splitter_, set, piece.nodes, first, depth);
+      piece.size = piece.nodes.size();
+      return;
     }
-    nodes[self].volume =
-        Volume::around(box, std::span(points_).subspan(first * points_per_item_, count * points_per_item_));
+    const auto halves = divide(splitter_, set, depth);
+    piece.below = std::make_unique<Piece>();
+    piece.above = std::make_unique<Piece>();
+    tbb::parallel_invoke([&] { grow_apart(halves->below, *piece.below, first, depth + 1); },
+                         [&] { grow_apart(halves->above, *piece.above, first + halves->below.count(), depth + 1); });
+    piece.size = 1 + piece.below->size + piece.above->size;
+    piece.nodes.push_back({volume_of(set, first), static_cast<std::uint32_t>(1 + piece.below->size), 0});
   }
 
-  void finish_leaf(std::span<const BoundsReference> items, std::uint32_t position) {
-    for (const BoundsReference& item : items) {
-      order_[position] = item.id;
+  static LargeBuffer<Node> joined(const Piece& root) {
+    LargeBuffer<Node> nodes(root.size);
+    std::vector<std::pair<const Piece*, std::size_t>> places{{&root, 0}};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto [piece, place] = places[i];
+      if (!piece->below) continue;
+      places.emplace_back(piece->below.get(), place + 1);
+      places.emplace_back(piece->above.get(), place + 1 + piece->below->size);  // V2
+    }
+    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
+      std::copy(places[i].first->nodes.begin(), places[i].first->nodes.end(), nodes.data() + places[i].second);
+    });
+    return nodes;
+  }
+
+  /// Appends the subtree of a part, whose leaves take the positions from `first` on.
+  template <class Divider, class Part>
+  void grow(Divider& divider, const Part& part, Nodes& nodes, std::uint32_t first, int depth) {
+    if constexpr (!std::is_same_v<Divider, Sweep>) {
+      if (part.count() <= Sweep::most) {
+        Sweep sweep(part.items, splitter_.costs());
+        return grow(sweep, sweep.whole(), nodes, first, depth);
+      }
+    }
+    const std::size_t self = nodes.size();
+    nodes.emplace_back();
+    if (const auto halves = divide(divider, part, depth)) {
+      grow(divider, halves->below, nodes, first, depth + 1);
+      nodes[self].link = static_cast<std::uint32_t>(nodes.size() - self);
+      nodes[self].count = 0;
+      grow(divider, halves->above, nodes, first + halves->below.count(), depth + 1);
+    } else {
+      nodes[self].link = first;
+      nodes[self].count = part.count();
+      finish_leaf(part, first);
+    }
+    nodes[self].volume = volume_of(part, first);
+  }
+
+  template <class Divider, class Part>
+  static auto divide(Divider& divider, const Part& part, int depth) {
+    return depth < heuristic_depth ? divider.cheapest(part) : divider.median(part);  // V3
+  }
+
+  /// Of a part whose leaves are finished.
+  template <class Part>
+  Volume volume_of(const Part& part, std::uint32_t first) const {
+    const std::span<const Vec3f> points = points_;
+    return Volume::around(part.box(), points.subspan(first * points_per_item_, part.count() * points_per_item_));
+  }
+
+  template <class Part>
+  void finish_leaf(const Part& part, std::uint32_t first) {
+    for (std::uint32_t i = 0; i < part.count(); ++i) {
+      const std::uint32_t id = part.id(i), position = first + i;
+      order_[position] = id;
       if constexpr (Volume::needs_points) {
-        const Hull hull = primitives_.hull(item.id);
-        for (std::size_t i = 0; i < points_per_item_; ++i) {
-          points_[position * points_per_item_ + i] = hull.points[std::min(static_cast<int>(i), hull.points.size() - 1)];
+        const Hull hull = primitives_.hull(id);
+        for (std::size_t k = 0; k < points_per_item_; ++k) {
+          points_[position * points_per_item_ + k] = hull.points[std::min(static_cast<int>(k), hull.points.size() - 1)];
         }
       }
-      ++position;
     }
   }
 
   const Primitives& primitives_;
   ObjectSplitter<Area> splitter_;
-  std::vector<BoundsReference> items_;
   /// Hulls in leaf order, the last point repeated to make them equally long: a subtree's points lie side by side.
   std::vector<Vec3f> points_;
   std::size_t points_per_item_ = 0;

@@ -34,8 +34,8 @@ concept BoundingVolume = std::is_trivially_copyable_v<V> &&
   { V::needs_points } -> std::convertible_to<bool>;  // otherwise `around` is given none
   { V::test_cost } -> std::convertible_to<float>;    // of two, relative to two boxes
   { V::around(box, points) } -> std::same_as<V>;
-  { V::half_area_around(box) } -> std::same_as<double>;  // of such a volume around a box
-  {volume.region()};                                     // as cells show it
+  { V::half_area_around(1.0f, 1.0f, 1.0f) } -> std::same_as<float>;  // up to a factor: around a box of such an extent
+  {volume.region()};                                                 // as cells show it
   typename V::template Test<float>::Time;
   { test(volume, volume, ray.t_max) } -> std::same_as<PairTimes<typename V::template Test<float>::Time>>;
 };

@@ -69,6 +69,16 @@ class WideTree {
     if (!nodes_.empty()) see_cells(bounds_, 0, 0, see);
   }
 
+  /// See for_each_leaf in accelerator.h.
+  template <class See>
+  void for_each_leaf(See&& see) const {
+    for (const Node& node : nodes_) {
+      for (const std::uint32_t link : node.links) {
+        if (Link::is_leaf(link) && link != Link::none) see(Link::leaf(link));
+      }
+    }
+  }
+
  private:
   template <class See>
   void see_cells(const Aabb& box, std::uint32_t link, int depth, See& see) const {
@@ -81,7 +91,7 @@ class WideTree {
     }
   }
 
-  LargeVector<Node> nodes_;
+  LargeBuffer<Node> nodes_;
   std::vector<std::uint32_t> order_;
   Aabb bounds_;
 };
@@ -131,12 +141,12 @@ inline WideTree WideTree::build(const Primitives& primitives, const Options& opt
   validate(name, options);
   if (primitives.size() > Link::limit) throw std::length_error("wide-tree: more than 2^28 primitives");
   WideTree tree;
-  BinaryTree binary(primitives, options.bins);
+  BinaryTree binary(references_of(primitives), options.bins);
   if (binary.is_empty()) return tree;
   tree.bounds_ = binary[0].box;
   const TreeCollapse<width> collapse(binary,
                                      {options.traversal_cost, options.intersection_cost, options.max_leaf_size});
-  WideTreeBuilder(binary, collapse, tree.nodes_).build();
+  tree.nodes_ = WideTreeBuilder(binary, collapse).build();
   tree.order_ = std::move(binary.order);
   return tree;
 }

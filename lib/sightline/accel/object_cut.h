@@ -1,0 +1,137 @@
+#pragma once
+/// Where to cut a row of boxes in two by the surface area heuristic.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "sightline/accel/bounds_reference.h"
+
+namespace sightline {
+
+/// What the heuristic weighs. All costs are relative to each other.
+struct ObjectSplitCosts {
+  double inner_node;  ///< Opening an inner node.
+  double primitive;   ///< One primitive test.
+  int max_leaf_size;
+  int bins;
+};
+
+/// The area of a box, as ScaledArea asks for it.
+struct HalfArea {
+  float operator()(float x, float y, float z) const { return x * y + y * z + z * x; }
+};
+
+/// Areas of bounding volumes in float, in units in which the largest extent of what is divided is 1, so that none
+/// overflows. `Area` tells, up to a constant factor, the surface area of the volume that circumscribes a box of an
+/// extent: area(x, y, z), of floats.
+template <class Area>
+class ScaledArea {
+ public:
+  explicit ScaledArea(const Aabb& whole) {
+    const float extent = max_norm(whole.extent());
+    scale_ = extent > 0 ? std::min(1 / extent, std::numeric_limits<float>::max()) : 0;
+    whole_ = of(whole.extent());
+  }
+
+  float of(const Vec3f& extent) const { return Area()(scale_ * extent.x, scale_ * extent.y, scale_ * extent.z); }
+  float whole() const { return whole_; }
+  float scale() const { return scale_; }
+
+ private:
+  float scale_, whole_;
+};
+
+/// Where a row of boxes is cut: area times count, of both parts. Equal costs (points, lines, copies) go to the more
+/// balanced parts.
+struct ObjectCut {
+  float cost = std::numeric_limits<float>::infinity();
+  std::uint32_t imbalance = 0;
+  int axis = 0;
+  int place = 0;            ///< The first box of the second part.
+  std::uint32_t below = 0;  ///< References in the first part; 0 where there is no way to cut.
+
+  template <class Area>
+  bool is_worse_than_leaf(std::uint32_t count, const ObjectSplitCosts& costs, const ScaledArea<Area>& area) const {
+    if (count > static_cast<std::uint32_t>(costs.max_leaf_size)) return false;
+    return costs.primitive * area.whole() * count <= costs.inner_node * area.whole() + costs.primitive * cost;
+  }
+};
+
+/// Weighs all ways to cut a row of at most `Most` boxes.
+template <class Area, std::size_t Most>
+class RowCutter {
+ public:
+  /// `box(i)` is box i of the row, `count_of(i)` how many references are in it. Improves `best`.
+  template <class Box, class Count>
+  void cut(int size, Box&& box, Count&& count_of, const ScaledArea<Area>& area, int axis, ObjectCut& best) {
+    GrowingBox grown;
+    std::uint32_t total = 0;
+    for (int place = 1; place < size; ++place) {
+      grown.extend(box(place - 1));
+      total += count_of(place - 1);
+      below_.boxes[place] = grown;
+      below_.counts[place] = total;
+    }
+    total += count_of(size - 1);
+    grown = GrowingBox();
+    for (int place = size - 1; place > 0; --place) {
+      grown.extend(box(place));
+      above_.boxes[place] = grown;
+    }
+    for (int place = 1; place < size; ++place) above_.counts[place] = total - below_.counts[place];
+    below_.measure(size, area.scale());
+    above_.measure(size, area.scale());
+
+    constexpr float none = std::numeric_limits<float>::infinity();
+    for (int place = 0; place < size; ++place) {
+      const float cost = below_.cost(place) + above_.cost(place);
+      const bool is_cut = below_.counts[place] != 0 && above_.counts[place] != 0 && cost < none;
+      costs_[place] = is_cut ? cost : none;
+    }
+    for (int place = 1; place < size; ++place) {
+      if (!(costs_[place] <= best.cost) || costs_[place] == none) continue;
+      const std::uint32_t below = below_.counts[place], above = above_.counts[place];
+      const std::uint32_t imbalance = below > above ? below - above : above - below;
+      if (costs_[place] == best.cost && imbalance >= best.imbalance) continue;
+      best = {costs_[place], imbalance, axis, place, below};
+    }
+  }
+
+ private:
+  /// The parts on one side of each place.
+  struct Side {
+    static constexpr std::size_t size = Most + 4;
+    std::array<GrowingBox, size> boxes;
+    std::array<std::uint32_t, size> counts{};
+    std::array<float, size> x, y, z;
+
+    /// From boxes to extents, four at once.
+    void measure(int end, float scale) {
+      constexpr hn::FixedTag<float, 4> d{};
+      const auto factor = hn::Set(d, -scale);
+      alignas(16) std::array<float, 16> extents;
+      for (int first = 0; first < end; first += 4) {
+        for (int i = 0; i < 4; ++i) {
+          const float* lows = boxes[static_cast<std::size_t>(first + i)].lows();
+          hn::Store(hn::Mul(hn::Add(hn::LoadU(d, lows), hn::LoadU(d, lows + 3)), factor), d, extents.data() + 4 * i);
+        }
+        auto along_x = hn::Zero(d), along_y = along_x, along_z = along_x, unused = along_x;
+        hn::LoadInterleaved4(d, extents.data(), along_x, along_y, along_z, unused);
+        hn::StoreU(along_x, d, x.data() + first);
+        hn::StoreU(along_y, d, y.data() + first);
+        hn::StoreU(along_z, d, z.data() + first);
+      }
+    }
+    float cost(int place) const {
+      const auto i = static_cast<std::size_t>(place);
+      return Area()(x[i], y[i], z[i]) * static_cast<float>(counts[i]);
+    }
+  };
+
+  Side below_, above_;
+  std::array<float, Side::size> costs_;
+};
+
+}  // namespace sightline
