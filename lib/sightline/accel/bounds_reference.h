@@ -28,8 +28,13 @@ static_assert(sizeof(BoundsReference) == 32 && sizeof(Aabb) == 24);
 /// A box that grows by one instruction a reference, where registers are wide enough.
 class GrowingBox {
  public:
-  GrowingBox() { lows_.fill(std::numeric_limits<float>::infinity()); }
-  explicit GrowingBox(const BoundsReference& item) : GrowingBox() { extend(item); }
+  /// Means nothing until assigned: there are arrays of which few are used.
+  GrowingBox() {}
+  static GrowingBox empty() {
+    GrowingBox box;
+    box.lows_.fill(std::numeric_limits<float>::infinity());
+    return box;
+  }
 
   void extend(const BoundsReference& item) {
     for (std::size_t i = 0; i < 8; i += hn::Lanes(d)) {
@@ -56,19 +61,27 @@ class GrowingBox {
   alignas(32) std::array<float, 8> lows_;
 };
 
-/// The middle of a reference's box; the fourth lane is 0.
-struct ReferenceCenter {
-  using D = hn::FixedTag<float, 4>;
-  static constexpr D d{};
-  hn::Vec<D> at;
+/// The middle of a reference's box; the fourth number is 0.
+class ReferenceCenter {
+ public:
+  using D = hn::CappedTag<float, 4>;
 
   explicit ReferenceCenter(const BoundsReference& item) {
     const auto half = hn::Set(d, 0.5f);
-    const auto lo = hn::LoadU(d, &item.box.lo.x), hi = hn::LoadU(d, &item.box.hi.x);
-    const auto is_axis = hn::FirstN(d, 3);  // else the bits of ids, as tiny numbers, slow down some processors
-    at = hn::IfThenElseZero(is_axis, hn::Add(hn::Mul(half, lo), hn::Mul(half, hn::IfThenElseZero(is_axis, hi))));
+    for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
+      const auto is_axis = hn::FirstN(d, i < 3 ? 3 - i : 0);  // ids, as tiny numbers, would slow down some processors
+      const auto lo = hn::IfThenElseZero(is_axis, hn::LoadU(d, &item.box.lo.x + i));
+      const auto hi = hn::IfThenElseZero(is_axis, hn::LoadU(d, &item.box.hi.x + i));
+      hn::Store(hn::Add(hn::Mul(half, lo), hn::Mul(half, hi)), d, at_.data() + i);
+    }
   }
+
+  const float* at() const { return at_.data(); }
   static float on(const BoundsReference& item, int axis) { return 0.5f * item.box.lo[axis] + 0.5f * item.box.hi[axis]; }
+
+ private:
+  static constexpr D d{};
+  alignas(16) std::array<float, 4> at_;
 };
 
 /// Bounds of the centers of references.
@@ -79,14 +92,23 @@ class CenterBounds {
     hi_.fill(-std::numeric_limits<float>::infinity());
   }
 
-  void extend(const ReferenceCenter& center) { extend(center.at, center.at); }
+  void extend(const ReferenceCenter& center) { extend_if(true, center); }
   /// Does nothing, but without a branch, unless `is_wanted`.
   void extend_if(bool is_wanted, const ReferenceCenter& center) {
     const auto keeps = hn::MaskFromVec(hn::BitCast(d, hn::Set(to_int, -static_cast<std::int32_t>(is_wanted))));
-    extend(hn::IfThenElse(keeps, center.at, hn::Load(d, lo_.data())),
-           hn::IfThenElse(keeps, center.at, hn::Load(d, hi_.data())));
+    for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
+      const auto at = hn::Load(d, center.at() + i);
+      const auto lo = hn::Load(d, lo_.data() + i), hi = hn::Load(d, hi_.data() + i);
+      hn::Store(hn::Min(lo, hn::IfThenElse(keeps, at, lo)), d, lo_.data() + i);
+      hn::Store(hn::Max(hi, hn::IfThenElse(keeps, at, hi)), d, hi_.data() + i);
+    }
   }
-  void extend(const CenterBounds& other) { extend(hn::Load(d, other.lo_.data()), hn::Load(d, other.hi_.data())); }
+  void extend(const CenterBounds& other) {
+    for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
+      hn::Store(hn::Min(hn::Load(d, lo_.data() + i), hn::Load(d, other.lo_.data() + i)), d, lo_.data() + i);
+      hn::Store(hn::Max(hn::Load(d, hi_.data() + i), hn::Load(d, other.hi_.data() + i)), d, hi_.data() + i);
+    }
+  }
 
   const std::array<float, 4>& lo() const { return lo_; }
   const std::array<float, 4>& hi() const { return hi_; }
@@ -96,17 +118,12 @@ class CenterBounds {
   static constexpr ReferenceCenter::D d{};
   static constexpr hn::RebindToSigned<ReferenceCenter::D> to_int{};
 
-  void extend(hn::Vec<ReferenceCenter::D> lo, hn::Vec<ReferenceCenter::D> hi) {
-    hn::Store(hn::Min(hn::Load(d, lo_.data()), lo), d, lo_.data());
-    hn::Store(hn::Max(hn::Load(d, hi_.data()), hi), d, hi_.data());
-  }
-
   alignas(16) std::array<float, 4> lo_, hi_;
 };
 
 /// What dividing references needs to know of them.
 struct ReferenceBounds {
-  GrowingBox box;
+  GrowingBox box = GrowingBox::empty();
   CenterBounds centers;
 
   void extend(const BoundsReference& item) {
@@ -137,7 +154,7 @@ struct ReferenceSet {
 
 /// Sums over ranges that do not depend on the number of threads, so that neither does the sign of a zero.
 template <class Sum, class Add>
-Sum reduce_references(std::size_t count, Add&& add) {
+Sum reduce_references(std::size_t count, const Sum& none, Add&& add) {
   constexpr std::size_t chunk_size = 8192;
   const auto added = [&](const tbb::blocked_range<std::size_t>& range, Sum sum) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) add(i, sum);
@@ -147,13 +164,12 @@ Sum reduce_references(std::size_t count, Add&& add) {
     a.extend(b);
     return a;
   };
-  return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::size_t>(0, count, chunk_size), Sum(), added,
-                                            joined);
+  return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::size_t>(0, count, chunk_size), none, added, joined);
 }
 
 inline ReferenceSet whole_of(std::span<BoundsReference> items) {
-  return {items, reduce_references<ReferenceBounds>(
-                     items.size(), [&](std::size_t i, ReferenceBounds& bounds) { bounds.extend(items[i]); })};
+  const auto add = [&](std::size_t i, ReferenceBounds& bounds) { bounds.extend(items[i]); };
+  return {items, reduce_references(items.size(), ReferenceBounds(), add)};
 }
 
 /// One reference for each primitive, in the order of their ids.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -46,11 +47,10 @@ class ScaledArea {
 /// Where a row of boxes is cut: area times count, of both parts. Equal costs (points, lines, copies) go to the more
 /// balanced parts.
 struct ObjectCut {
-  float cost = std::numeric_limits<float>::infinity();
-  std::uint32_t imbalance = 0;
+  float cost = std::numeric_limits<float>::max();
+  float imbalance = std::numeric_limits<float>::infinity();
   int axis = 0;
-  int place = 0;            ///< The first box of the second part.
-  std::uint32_t below = 0;  ///< References in the first part; 0 where there is no way to cut.
+  int place = 0;  ///< The first box of the second part; 0 where there is no way to cut.
 
   template <class Area>
   bool is_worse_than_leaf(std::uint32_t count, const ObjectSplitCosts& costs, const ScaledArea<Area>& area) const {
@@ -66,36 +66,36 @@ class RowCutter {
   /// `box(i)` is box i of the row, `count_of(i)` how many references are in it. Improves `best`.
   template <class Box, class Count>
   void cut(int size, Box&& box, Count&& count_of, const ScaledArea<Area>& area, int axis, ObjectCut& best) {
-    GrowingBox grown;
+    GrowingBox grown = GrowingBox::empty();
     std::uint32_t total = 0;
     for (int place = 1; place < size; ++place) {
       grown.extend(box(place - 1));
       total += count_of(place - 1);
       below_.boxes[place] = grown;
-      below_.counts[place] = total;
+      below_.counts[place] = static_cast<float>(total);
     }
     total += count_of(size - 1);
-    grown = GrowingBox();
+    grown = GrowingBox::empty();
     for (int place = size - 1; place > 0; --place) {
       grown.extend(box(place));
       above_.boxes[place] = grown;
     }
-    for (int place = 1; place < size; ++place) above_.counts[place] = total - below_.counts[place];
+    below_.boxes[0] = above_.boxes[0] = grown;
+    below_.counts[0] = 0;
+    const auto all = static_cast<float>(total);
+    for (int place = 0; place < size; ++place) above_.counts[place] = all - below_.counts[place];
     below_.measure(size, area.scale());
     above_.measure(size, area.scale());
 
-    constexpr float none = std::numeric_limits<float>::infinity();
     for (int place = 0; place < size; ++place) {
       const float cost = below_.cost(place) + above_.cost(place);
-      const bool is_cut = below_.counts[place] != 0 && above_.counts[place] != 0 && cost < none;
-      costs_[place] = is_cut ? cost : none;
+      costs_[place] = below_.counts[place] * above_.counts[place] > 0 ? cost : std::numeric_limits<float>::infinity();
     }
     for (int place = 1; place < size; ++place) {
-      if (!(costs_[place] <= best.cost) || costs_[place] == none) continue;
-      const std::uint32_t below = below_.counts[place], above = above_.counts[place];
-      const std::uint32_t imbalance = below > above ? below - above : above - below;
-      if (costs_[place] == best.cost && imbalance >= best.imbalance) continue;
-      best = {costs_[place], imbalance, axis, place, below};
+      if (!(costs_[place] <= best.cost)) continue;
+      const float imbalance = std::fabs(below_.counts[place] - above_.counts[place]);
+      if (costs_[place] == best.cost && !(imbalance < best.imbalance)) continue;
+      best = {costs_[place], imbalance, axis, place};
     }
   }
 
@@ -104,29 +104,34 @@ class RowCutter {
   struct Side {
     static constexpr std::size_t size = Most + 4;
     std::array<GrowingBox, size> boxes;
-    std::array<std::uint32_t, size> counts{};
+    std::array<float, size> counts;  ///< Rounded above 2^24.
     std::array<float, size> x, y, z;
 
     /// From boxes to extents, four at once.
     void measure(int end, float scale) {
-      constexpr hn::FixedTag<float, 4> d{};
+      constexpr hn::CappedTag<float, 4> d{};
       const auto factor = hn::Set(d, -scale);
       alignas(16) std::array<float, 16> extents;
       for (int first = 0; first < end; first += 4) {
         for (int i = 0; i < 4; ++i) {
           const float* lows = boxes[static_cast<std::size_t>(first + i)].lows();
-          hn::Store(hn::Mul(hn::Add(hn::LoadU(d, lows), hn::LoadU(d, lows + 3)), factor), d, extents.data() + 4 * i);
+          for (std::size_t lane = 0; lane < 4; lane += hn::Lanes(d)) {
+            const auto sum = hn::Add(hn::LoadU(d, lows + lane), hn::LoadU(d, lows + 3 + lane));
+            hn::Store(hn::Mul(sum, factor), d, extents.data() + 4 * i + lane);
+          }
         }
-        auto along_x = hn::Zero(d), along_y = along_x, along_z = along_x, unused = along_x;
-        hn::LoadInterleaved4(d, extents.data(), along_x, along_y, along_z, unused);
-        hn::StoreU(along_x, d, x.data() + first);
-        hn::StoreU(along_y, d, y.data() + first);
-        hn::StoreU(along_z, d, z.data() + first);
+        for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
+          auto along_x = hn::Zero(d), along_y = along_x, along_z = along_x, unused = along_x;
+          hn::LoadInterleaved4(d, extents.data() + 4 * i, along_x, along_y, along_z, unused);
+          hn::StoreU(along_x, d, x.data() + first + i);
+          hn::StoreU(along_y, d, y.data() + first + i);
+          hn::StoreU(along_z, d, z.data() + first + i);
+        }
       }
     }
     float cost(int place) const {
       const auto i = static_cast<std::size_t>(place);
-      return Area()(x[i], y[i], z[i]) * static_cast<float>(counts[i]);
+      return Area()(x[i], y[i], z[i]) * counts[i];
     }
   };
 

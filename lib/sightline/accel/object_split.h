@@ -41,7 +41,7 @@ class ObjectSplitter {
     if (set.count() < 2) return {};
     const int bin_count = set.count() < many ? std::min(costs_.bins, few_bins) : costs_.bins;
     const Binning binning(set.bounds.centers, bin_count);
-    const Bins bins = fill(set.items, binning);
+    const Bins bins = fill(set.items, binning, bin_count);
     const ScaledArea<Area> area(set.box());
     RowCutter<Area, max_split_bins> cutter;
     ObjectCut best;
@@ -50,16 +50,16 @@ class ObjectSplitter {
           bin_count, [&](int i) -> const GrowingBox& { return bins.boxes[axis][i]; },
           [&](int i) { return bins.counts[axis][i]; }, area, axis, best);
     }
-    if (best.below == 0) return median(set);  // every axis has all centers in one bin
+    if (best.place == 0) return median(set);  // every axis has all centers in one bin
     if (best.is_worse_than_leaf(set.count(), costs_, area)) return {};
-    Halves halves = divided(set, best.below);
-    partition_references(
+    ReferenceBounds below, above;
+    const std::size_t middle = partition_references(
         set.items, [&](const BoundsReference& item) { return binning.is_below(item, best.axis, best.place); },
-        halves.below.bounds.centers, halves.above.bounds.centers);
+        below.centers, above.centers);
     for (int i = 0; i < bin_count; ++i) {
-      (i < best.place ? halves.below : halves.above).bounds.box.extend(bins.boxes[best.axis][i]);
+      (i < best.place ? below : above).box.extend(bins.boxes[best.axis][i]);
     }
-    return halves;
+    return Halves{{set.items.first(middle), below}, {set.items.subspan(middle), above}};
   }
 
   /// Halves the references at the median of their centers, along the axis on which these spread most; none for a leaf.
@@ -72,19 +72,13 @@ class ObjectSplitter {
                        const float at_a = ReferenceCenter::on(a, axis), at_b = ReferenceCenter::on(b, axis);
                        return at_a < at_b || (at_a == at_b && a.id < b.id);
                      });
-    Halves halves = divided(set, half);
-    halves.below.bounds = bounds_of(halves.below.items);
-    halves.above.bounds = bounds_of(halves.above.items);
-    return halves;
+    const std::span below = set.items.first(half), above = set.items.subspan(half);
+    return Halves{{below, bounds_of(below)}, {above, bounds_of(above)}};
   }
 
  private:
   static constexpr std::uint32_t many = 1024;  ///< Fewer references are divided between few_bins at most.
   static constexpr int few_bins = 16;
-
-  static Halves divided(const ReferenceSet& set, std::uint32_t below) {
-    return {{set.items.first(below), {}}, {set.items.subspan(below), {}}};
-  }
 
   /// Which bins a reference's center falls into, on all axes at once. NaN, from an extent that is no finite float,
   /// falls into the first.
@@ -98,13 +92,16 @@ class ObjectSplitter {
 
     /// Of the axes; the fourth number means nothing.
     std::array<std::int32_t, 4> operator()(const BoundsReference& item) const {
-      constexpr hn::FixedTag<float, 4> d{};
+      constexpr ReferenceCenter::D d{};
       constexpr hn::RebindToSigned<decltype(d)> to_int{};
-      const auto center = ReferenceCenter(item).at;
-      const auto place = hn::Mul(hn::Sub(center, hn::Load(d, lowest_.data())), hn::Load(d, scale_.data()));
-      const auto above = hn::IfThenElseZero(hn::Gt(place, hn::Zero(d)), place);
+      const ReferenceCenter center(item);
       alignas(16) std::array<std::int32_t, 4> bins;
-      hn::Store(hn::ConvertTo(to_int, hn::Min(above, hn::Set(d, last_))), to_int, bins.data());
+      for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
+        const auto offset = hn::Sub(hn::Load(d, center.at() + i), hn::Load(d, lowest_.data() + i));
+        const auto place = hn::Mul(offset, hn::Load(d, scale_.data() + i));
+        const auto above = hn::IfThenElseZero(hn::Gt(place, hn::Zero(d)), place);
+        hn::Store(hn::ConvertTo(to_int, hn::Min(above, hn::Set(d, last_))), to_int, bins.data() + i);
+      }
       return bins;
     }
 
@@ -121,9 +118,16 @@ class ObjectSplitter {
   };
 
   struct Bins {
+    int count;
     std::array<std::array<GrowingBox, max_split_bins>, 3> boxes;
-    std::array<std::array<std::uint32_t, max_split_bins>, 3> counts{};
+    std::array<std::array<std::uint32_t, max_split_bins>, 3> counts;
 
+    explicit Bins(int bin_count) : count(bin_count) {
+      for (int axis = 0; axis < 3; ++axis) {
+        std::fill_n(boxes[axis].begin(), count, GrowingBox::empty());
+        std::fill_n(counts[axis].begin(), count, 0u);
+      }
+    }
     void add(const BoundsReference& item, const Binning& binning) {
       const auto into = binning(item);
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -133,8 +137,8 @@ class ObjectSplitter {
       }
     }
     void extend(const Bins& other) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (std::size_t i = 0; i < max_split_bins; ++i) {
+      for (int axis = 0; axis < 3; ++axis) {
+        for (int i = 0; i < count; ++i) {
           boxes[axis][i].extend(other.boxes[axis][i]);
           counts[axis][i] += other.counts[axis][i];
         }
@@ -142,12 +146,21 @@ class ObjectSplitter {
     }
   };
 
-  static Bins fill(std::span<const BoundsReference> items, const Binning& binning) {
-    if (items.size() >= parallel_size) {
-      return reduce_references<Bins>(items.size(), [&](std::size_t i, Bins& bins) { bins.add(items[i], binning); });
+  static Bins fill(std::span<const BoundsReference> items, const Binning& binning, int bin_count) {
+    const auto add = [&](std::size_t i, Bins& bins) { bins.add(items[i], binning); };
+    if (items.size() >= parallel_size) return reduce_references(items.size(), Bins(bin_count), add);
+    Bins bins(bin_count);
+    std::size_t i = 0;
+    if (items.size() >= many) {
+      // Neighbours often fall into one bin; two sets of bins need not wait for each other.
+      Bins odd(bin_count);
+      for (; i + 1 < items.size(); i += 2) {
+        add(i, bins);
+        add(i + 1, odd);
+      }
+      bins.extend(odd);
     }
-    Bins bins;
-    for (const BoundsReference& item : items) bins.add(item, binning);
+    for (; i < items.size(); ++i) add(i, bins);
     return bins;
   }
 

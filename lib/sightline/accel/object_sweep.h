@@ -37,7 +37,8 @@ class ObjectSweep {
   ObjectSweep(std::span<const BoundsReference> items, const ObjectSplitCosts& costs)
       : costs_(costs), count_(static_cast<std::uint32_t>(items.size())) {
     for (std::uint32_t i = 0; i < count_; ++i) {
-      boxes_[i] = GrowingBox(items[i]);
+      boxes_[i] = GrowingBox::empty();
+      boxes_[i].extend(items[i]);
       ids_[i] = items[i].id;
     }
     for (int axis = 0; axis < 3; ++axis) sort(items, axis);
@@ -58,9 +59,9 @@ class ObjectSweep {
           [&](int i) -> const GrowingBox& { return boxes_[order_[axis][from.begin + static_cast<std::uint32_t>(i)]]; },
           [](int) { return 1u; }, area, axis, best);
     }
-    if (best.below == 0) return median(from);
+    if (best.place == 0) return median(from);
     if (best.is_worse_than_leaf(count, costs_, area)) return {};
-    return cut(from, best.axis, best.below);
+    return cut(from, best.axis, static_cast<std::uint32_t>(best.place));
   }
 
   /// See ObjectSplitter.
@@ -73,7 +74,7 @@ class ObjectSweep {
   using Order = std::array<std::uint8_t, most>;
 
   Part part(std::uint32_t begin, std::uint32_t end) const {
-    GrowingBox box;
+    GrowingBox box = GrowingBox::empty();
     for (std::uint32_t i = begin; i < end; ++i) box.extend(boxes_[order_[0][i]]);
     return {begin, end, box.box(), this};
   }

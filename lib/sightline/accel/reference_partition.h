@@ -39,14 +39,13 @@ std::size_t partition_chunk(std::span<BoundsReference> items, const IsBelow& is_
 
 }  // namespace detail
 
-/// Reorders `items` so that those for which is_below(item) come first, and adds to the bounds of the centers of both
-/// kinds. The order depends on nothing else.
+/// Reorders `items` so that those for which is_below(item) come first, and tells how many they are. Adds to the bounds
+/// of the centers of both kinds. The order depends on nothing else.
 template <class IsBelow>
-void partition_references(std::span<BoundsReference> items, const IsBelow& is_below, CenterBounds& below,
-                          CenterBounds& above) {
+std::size_t partition_references(std::span<BoundsReference> items, const IsBelow& is_below, CenterBounds& below,
+                                 CenterBounds& above) {
   if (items.size() < parallel_size) {
-    detail::partition_chunk(items, is_below, below, above);
-    return;
+    return detail::partition_chunk(items, is_below, below, above);
   }
   // Each chunk is divided on its own; then the stretches on the wrong side of the middle are exchanged.
   constexpr std::size_t chunk_size = 16384;
@@ -95,6 +94,7 @@ void partition_references(std::span<BoundsReference> items, const IsBelow& is_be
     std::swap_ranges(low, low + static_cast<std::ptrdiff_t>(exchanges[i].size),
                      items.begin() + static_cast<std::ptrdiff_t>(exchanges[i].high));
   });
+  return middle;
 }
 
 }  // namespace sightline
