@@ -85,19 +85,24 @@ class TreeCollapse {
     } else {
       tbb::parallel_invoke(plan_left, plan_right);
     }
+    // More roots than primitives are no use.
+    const int left_most = most_roots(tree_.left(node)), right_most = most_roots(tree_.right(node));
+    const int most = std::min(left_most + right_most, Width);
     std::uint32_t note = 0;
     std::array<double, Width + 1> divided;
     std::array<std::uint32_t, Width + 1> shares;
-    for (int roots = 2; roots <= Width; ++roots) {
+    for (int roots = 2; roots <= most; ++roots) {
       divided[roots] = std::numeric_limits<double>::infinity();
       shares[roots] = 1;
-      for (int to_left = 1; to_left < roots; ++to_left) {
+      for (int to_left = std::max(1, roots - right_most); to_left <= std::min(roots - 1, left_most); ++to_left) {
         const double cost = left[to_left - 1] + right[roots - to_left - 1];
         if (!(cost < divided[roots])) continue;
         divided[roots] = cost;
         shares[roots] = static_cast<std::uint32_t>(to_left);
       }
     }
+    std::fill(divided.begin() + most + 1, divided.end(), divided[most]);
+    std::fill(shares.begin() + most + 1, shares.end(), shares[most]);
     const double as_node = divided[Width] + costs_.node * area;
     note |= share_bits(shares[Width], Width);
     if (as_leaf <= as_node) note |= leaf_bit;
@@ -108,6 +113,10 @@ class TreeCollapse {
     }
     here.note = note;
     return costs;
+  }
+
+  int most_roots(std::uint32_t node) const {
+    return static_cast<int>(std::min(tree_[node].count, static_cast<std::uint32_t>(Width)));
   }
 
   void divide(std::uint32_t node, int roots, Children& all) const {
