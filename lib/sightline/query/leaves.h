@@ -63,6 +63,10 @@ class TriangleBlocks {
     for_each_leaf(accel, [&](LeafRange leaf) { leaves.push_back(leaf); });
     const std::span<const std::uint32_t> order = accel.leaf_order();
     tbb::parallel_for(std::size_t(0), leaves.size(), [&](std::size_t i) {
+      if (i + ahead < leaves.size()) {
+        const LeafRange next = leaves[i + ahead];
+        for (const std::uint32_t id : order.subspan(next.first, next.count)) mesh.fetch(id);
+      }
       for (LeafRange leaf = leaves[i]; leaf.count > 0;) {
         const LeafRange block = next_block(leaf);
         for (std::uint32_t lane = 0; lane < block.count; ++lane) {
@@ -91,6 +95,7 @@ class TriangleBlocks {
 
  private:
   static constexpr std::size_t rows = TriangleBlock::rows;
+  static constexpr std::size_t ahead = 8;                     ///< Leaves whose triangles are on their way.
   static constexpr std::size_t slack = TriangleBlock::lanes;  ///< The last row may be read past its end.
 
   static std::size_t at(LeafRange block) { return block.first * rows; }  // P1

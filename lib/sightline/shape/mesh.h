@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "sightline/math/simd.h"
 #include "sightline/shape/triangle.h"
 
 namespace sightline {
@@ -36,6 +37,9 @@ class TriangleMesh {
     const Corners& corners = triangles_[id];
     return {positions_[corners[0]], positions_[corners[1]], positions_[corners[2]]};
   }
+
+  /// Has the triangle's corners brought near, though not their positions.
+  void fetch(std::uint32_t id) const { prefetch(&triangles_[id], sizeof(Corners)); }
 
   Aabb bounds(std::uint32_t id) const { return bounds_of((*this)[id]); }
   Aabb clip(std::uint32_t id, const Aabb& box) const { return sightline::clip((*this)[id], box); }
