@@ -217,15 +217,29 @@ class GridDivider {
     return met;
   }
 
+  static std::uint64_t cells_of(const Layers& layers) {
+    const auto along = [&](int axis) { return (2u << layers.last[axis]) - (1u << layers.first[axis]); };
+    const std::uint64_t row = along(0), plane = row * spread(along(1), 4);
+    return plane * spread(along(2), 16);
+  }
+  /// The lowest four bits, `stride` apart.
+  static std::uint64_t spread(std::uint64_t bits, int stride) {
+    return (bits & 1) | (bits & 2) << (stride - 1) | (bits & 4) << 2 * (stride - 1) | (bits & 8) << 3 * (stride - 1);
+  }
+
+  static Aabb bounds_of(const Hull& polygon) {
+    Aabb box;
+    for (const Vec3f& p : polygon.points) box.extend(p);
+    return box;
+  }
+
   /// The cells that a primitive meets, which meets the lattice.
   std::uint64_t cells_met(std::uint32_t id, const Lattice& lattice) const {
-    const Layers layers = layers_met(primitives_.bounds(id), lattice);
-    std::uint64_t row = 0, plane = 0, met = 0;
-    for (int x = layers.first[0]; x <= layers.last[0]; ++x) row |= std::uint64_t(1) << GridBlock::bit(x, 0, 0);
-    for (int y = layers.first[1]; y <= layers.last[1]; ++y) plane |= row << GridBlock::bit(0, y, 0);
-    for (int z = layers.first[2]; z <= layers.last[2]; ++z) met |= plane << GridBlock::bit(0, 0, z);
-    if (layers.first == layers.last || quality_ == Quality::fast) return met;
+    if (quality_ == Quality::fast) return cells_of(layers_met(primitives_.bounds(id), lattice));
     const Hull hull = primitives_.hull(id);
+    const Layers layers = layers_met(hull.is_polygon ? bounds_of(hull) : primitives_.bounds(id), lattice);
+    std::uint64_t met = cells_of(layers);
+    if (layers.first == layers.last) return met;
     if (hull.is_polygon) return met & PolygonOverlap(hull, origin_ + lattice.lo, lattice.size, reach_).boxes_met();
     for_each_bit(met, [&](int bit) {
       const std::array<int, 3> place = GridBlock::place_of(bit);

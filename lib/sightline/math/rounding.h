@@ -43,9 +43,8 @@ inline float round_up(double x) {
 /// floor(x) held within [0, count - 1]; NaN gives 0. `count` is at least 1.
 template <class T>
 int clamp_to_index(T x, int count) {
-  if (!(x > 0)) return 0;
-  const T last = static_cast<T>(count - 1);
-  return x >= last ? count - 1 : static_cast<int>(x);
+  const T held = std::min(std::max(T(0), x), static_cast<T>(count - 1));  // no branch to mispredict
+  return std::min(static_cast<int>(held), count - 1);
 }
 
 }  // namespace sightline
