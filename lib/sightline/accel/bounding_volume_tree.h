@@ -196,7 +196,7 @@ class BoundingVolumeHierarchy<Volume>::Builder {
   };
   using Sweep = ObjectSweep<Area>;
 
-  /// Subtrees smaller than this are not worth a task; leaves are.
+  /// Subtrees smaller than this are not worth a task. Leaves are smaller.
   static constexpr std::uint32_t task_size = 4096;
 
   std::size_t most_points() const {

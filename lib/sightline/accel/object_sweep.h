@@ -64,7 +64,7 @@ class ObjectSweep {
     return cut(from, best.axis, static_cast<std::uint32_t>(best.place));
   }
 
-  /// See ObjectSplitter.
+  /// Halves the references in the order along the longest axis of their bounds; none for a leaf.
   std::optional<Halves> median(const Part& from) {
     if (from.count() <= static_cast<std::uint32_t>(costs_.max_leaf_size)) return {};
     return cut(from, from.bounds.longest_axis(), from.count() / 2);

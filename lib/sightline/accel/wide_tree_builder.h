@@ -57,6 +57,7 @@ class WideTreeBuilder {
     std::uint32_t next = 0;   ///< Of the places for the nodes below.
   };
 
+  /// Whether its subtree is not worth dividing between tasks.
   bool is_small(std::uint32_t root) const { return binary_[root].count < 4096; }
 
   template <class See>
