@@ -22,6 +22,7 @@
 #include "sightline/accel/large_pages.h"
 #include "sightline/accel/object_split.h"
 #include "sightline/accel/object_sweep.h"
+#include "sightline/accel/reference_split.h"
 
 namespace sightline {
 
@@ -32,18 +33,30 @@ struct BoundingVolumeOptions {
   float traversal_cost = Volume::test_cost;  ///< Opening a node: testing the volumes of both children.
   float intersection_cost = 0.15f;           ///< One primitive test: those of a leaf are made together.
   int bins = 32;                             ///< On each axis, when many primitives are divided.
+  int splits = 0;  ///< References that long primitives may have beyond one each, in percent of all. Boxes only.
 
-  static constexpr std::array<OptionField<BoundingVolumeOptions>, 4> fields() {
+  static constexpr auto fields() {
     using O = BoundingVolumeOptions;
-    return {{{"max_leaf_size", &O::max_leaf_size, 1, 64, "most primitives in a leaf"},
-             {"traversal_cost", &O::traversal_cost, 0, 1000, "cost of testing the volumes of two children"},
-             {"intersection_cost", &O::intersection_cost, 0.001, 1000, "cost of testing one primitive"},
-             {"bins", &O::bins, 2, max_split_bins, "intervals of each axis between which a large node is divided"}}};
+    using Field = OptionField<O>;
+    constexpr Field leaf{"max_leaf_size", &O::max_leaf_size, 1, 64, "most primitives in a leaf"};
+    constexpr Field inner{"traversal_cost", &O::traversal_cost, 0, 1000, "cost of testing the volumes of two children"};
+    constexpr Field test{"intersection_cost", &O::intersection_cost, 0.001, 1000, "cost of testing one primitive"};
+    constexpr Field bin{"bins", &O::bins, 2, max_split_bins,
+                        "intervals of each axis between which a large node is divided"};
+    constexpr Field split{"splits", &O::splits, 0, 1000,
+                          "most references added for long primitives, in percent of all"};
+    if constexpr (Volume::needs_points) {
+      return std::array{leaf, inner, test, bin};
+    } else {
+      return std::array{leaf, inner, test, bin, split};
+    }
   }
 };
 
-/// Each node bounds the primitives below it by one volume; every primitive is in exactly one leaf.
-///   V1  A node's volume contains its primitives.
+/// Each node bounds the primitives below it by one volume; every primitive is in exactly one leaf, unless it was split
+/// (reference_split.h).
+///   V1  A node's volume contains its primitives, or the parts of split ones that it has references to. A leaf holds a
+///       primitive once.
 ///   V2  Nodes stand depth first: the left child follows its parent, and only the right one is linked, relative to the
 ///       parent, so that subtrees built apart are joined by copying.
 ///   V3  Of a path's nodes at most heuristic_depth divide by cost; from then on they halve, so a leaf is at most
@@ -171,15 +184,16 @@ class BoundingVolumeHierarchy<Volume>::Builder {
  public:
   Builder(const Primitives& primitives, const Options& options)
       : primitives_(primitives),
+        splits_(options.splits),
         splitter_({options.traversal_cost, options.intersection_cost, options.max_leaf_size, options.bins}) {}
 
   void build(BoundingVolumeHierarchy& tree) {
-    const std::uint32_t count = primitives_.size();
+    LargeBuffer<BoundsReference> references = references_of(primitives_, Volume::needs_points ? 0 : splits_);
+    const std::size_t count = references.size();
     if constexpr (Volume::needs_points) {
       points_per_item_ = most_points();
       points_.resize(count * points_per_item_);
     }
-    LargeBuffer<BoundsReference> references = references_of(primitives_);
     const ReferenceSet all = whole_of(references.part(0, count));
     tree.bounds_ = all.box();
     tree.order_.resize(count);
@@ -187,6 +201,7 @@ class BoundingVolumeHierarchy<Volume>::Builder {
     Piece root;
     grow_apart(all, root, 0, 0);
     tree.nodes_ = joined(root);
+    if (count > primitives_.size()) merge_leaves(tree);
   }
 
  private:
@@ -250,6 +265,18 @@ class BoundingVolumeHierarchy<Volume>::Builder {
     return nodes;
   }
 
+  /// Drops ids that repeat within a leaf.
+  static void merge_leaves(BoundingVolumeHierarchy& tree) {
+    LeafMerger merger(tree.order_);
+    for (Node& node : tree.nodes_.part(0, tree.nodes_.size())) {  // in order of position: V2
+      if (!node.is_leaf()) continue;
+      const LeafRange merged = merger.merge(node.range());
+      node.link = merged.first;
+      node.count = merged.count;
+    }
+    merger.finish();
+  }
+
   /// Appends the subtree of a part, whose leaves take the positions from `first` on.
   template <class Divider, class Part>
   void grow(Divider& divider, const Part& part, Nodes& nodes, std::uint32_t first, int depth) {
@@ -301,6 +328,7 @@ class BoundingVolumeHierarchy<Volume>::Builder {
   }
 
   const Primitives& primitives_;
+  const int splits_;
   ObjectSplitter<Area> splitter_;
   /// Hulls in leaf order, the last point repeated to make them equally long: a subtree's points lie side by side.
   std::vector<Vec3f> points_;

@@ -8,6 +8,7 @@
 
 #include "sightline/accel/accelerator.h"
 #include "sightline/accel/large_pages.h"
+#include "sightline/accel/reference_split.h"
 #include "sightline/accel/wide_tree_builder.h"
 #include "sightline/accel/wide_tree_walk.h"
 
@@ -18,18 +19,21 @@ struct WideTreeOptions {
   float traversal_cost = 1;     ///< Opening a node: testing the boxes of eight children at once.
   float intersection_cost = 1;  ///< Testing a leaf.
   int bins = 32;                ///< On each axis, when many primitives are divided.
+  int splits = 0;               ///< References that long primitives may have beyond one each, in percent of all.
 
-  static constexpr std::array<OptionField<WideTreeOptions>, 4> fields() {
+  static constexpr std::array<OptionField<WideTreeOptions>, 5> fields() {
     using O = WideTreeOptions;
     return {{{"max_leaf_size", &O::max_leaf_size, 1, 8, "most primitives in a leaf"},
              {"traversal_cost", &O::traversal_cost, 0, 1000, "cost of testing the boxes of eight children"},
              {"intersection_cost", &O::intersection_cost, 0.001, 1000, "cost of testing a leaf"},
-             {"bins", &O::bins, 2, max_split_bins, "intervals of each axis between which a large node is divided"}}};
+             {"bins", &O::bins, 2, max_split_bins, "intervals of each axis between which a large node is divided"},
+             {"splits", &O::splits, 0, 1000, "most references added for long primitives, in percent of all"}}};
   }
 };
 
 /// Bounding boxes, eight to a node, so that one SIMD register tests a plane of each.
-///   W1  A child's box contains its primitives; every primitive is in exactly one leaf.
+///   W1  A child's box contains its references: a primitive is in exactly one leaf, or, where it was split
+///       (reference_split.h), in one or more, at most once in each, whose boxes cover it together.
 ///   W2  The inner children of a node stand side by side, and the leaves below it in order of position.
 ///   W3  A wide path is no longer than the binary one it was made of, and each node on it leaves at most width - 1
 ///       children waiting, so the traversal stack cannot overflow.
@@ -91,6 +95,22 @@ class WideTree {
     }
   }
 
+  /// Drops ids that repeat within a leaf.
+  void merge_leaves() {
+    LeafMerger merger(order_);
+    merge_leaves_below(nodes_[0], merger);
+    merger.finish();
+  }
+  void merge_leaves_below(Node& node, LeafMerger& merger) {  // in order of position: W2
+    for (std::uint32_t& link : node.links) {
+      if (!Link::is_leaf(link)) {
+        merge_leaves_below(nodes_[Link::node(link)], merger);
+      } else if (link != Link::none) {
+        link = Link::to_leaf(merger.merge(Link::leaf(link)));
+      }
+    }
+  }
+
   LargeBuffer<Node> nodes_;
   std::vector<std::uint32_t> order_;
   Aabb bounds_;
@@ -141,13 +161,14 @@ inline WideTree WideTree::build(const Primitives& primitives, const Options& opt
   validate(name, options);
   if (primitives.size() > Link::limit) throw std::length_error("wide-tree: more than 2^28 primitives");
   WideTree tree;
-  BinaryTree binary(references_of(primitives), options.bins);
+  BinaryTree binary(references_of(primitives, options.splits, Link::limit), options.bins);
   if (binary.is_empty()) return tree;
   tree.bounds_ = binary[0].box;
   const TreeCollapse<width> collapse(binary,
                                      {options.traversal_cost, options.intersection_cost, options.max_leaf_size});
   tree.nodes_ = WideTreeBuilder(binary, collapse).build();
   tree.order_ = std::move(binary.order);
+  if (tree.order_.size() > primitives.size()) tree.merge_leaves();
   return tree;
 }
 
