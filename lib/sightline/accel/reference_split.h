@@ -29,15 +29,14 @@ namespace sightline {
 
 /// Divides primitives into pieces of equal length along the longest side of their boxes.
 ///   R1  Every point of a primitive lies in the box of one of its references.
-///   R2  There are no more references than the budget allows. Those of a primitive stand side by side, the primitives
-///   in
-///       the order of their ids.
+///   R2  There are no more references than the budget allows. Those of a primitive stand side by side, in the order of
+///       ids.
 ///   R3  The references depend on the primitives only, not on how many threads there are.
 /// Cut into k pieces, a slanted line of box area A has boxes of area A / k together; the sum over all lines is least
 /// when k grows with the square root of A. So one scale, the largest that the budget allows, gives each primitive its
-/// number. Rounding it leaves some of the budget unused where primitives are alike, and that is better than using it:
-/// pieces of two sizes on top of each other make a worse tree than whole primitives do. Primitives that are no such
-/// lines, because a cut saves too little (the triangles of scans, boxes, spheres), stay whole.
+/// number. Primitives that are alike get the same one, though some of the budget may stay unused: pieces of two sizes
+/// on top of each other make a worse tree than whole primitives do. Primitives that are no such lines, because a cut
+/// saves too little (most triangles of scans, boxes, spheres), stay whole.
 class ReferenceSplitter {
  public:
   explicit ReferenceSplitter(const Primitives& primitives)
@@ -73,8 +72,11 @@ class ReferenceSplitter {
   /// Share of what a cut would save of a line's box.
   static constexpr double least_saving = 0.9;
 
-  /// Square root of the area of a primitive worth cutting, 0 for others.
-  double size_of(const BoundsReference& item) const { return cut(item, 0.5) ? std::sqrt(half_area(item.box)) : 0; }
+  /// Square root of the area of a primitive worth cutting, rounded to a fourth of an octave, so that those that are
+  /// alike have one size; 0 for others.
+  double size_of(const BoundsReference& item) const {
+    return cut(item, 0.5) ? std::exp2(std::round(2 * std::log2(half_area(item.box))) / 4) : 0;
+  }
 
   static std::uint32_t pieces_of(double size, double scale) {
     return std::max(1u, static_cast<std::uint32_t>(size * scale + 0.5));
