@@ -1,5 +1,6 @@
 #include "sightline/scene/procedural.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -50,11 +51,18 @@ TriangleMesh make_soup(int triangles) {
 }
 
 TriangleMesh make_sticks(int triangles) {
-  const Vec3f along(1.75f, 1.75f, 0);
-  constexpr float width = 0.004f;
+  const Vec3d along(0.5, 0.5, -std::sqrt(0.5));
+  constexpr float width = 0.016f;
   return random_triangles(triangles, [&](Random& random) {
-    const Vec3f a = random_point(random);
-    return std::array{a, a + along, a + width * (random_point(random) - 0.5f)};
+    const Vec3d inside(random_point(random));
+    double begin = -2, end = 2;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double to_low = -inside[axis] / along[axis], to_high = (1 - inside[axis]) / along[axis];
+      begin = std::max(begin, std::min(to_low, to_high));
+      end = std::min(end, std::max(to_low, to_high));
+    }
+    const Vec3f a(inside + begin * along), b(inside + end * along);
+    return std::array{a, b, a + width * (random_point(random) - 0.5f)};
   });
 }
 
