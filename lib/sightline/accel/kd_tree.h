@@ -38,10 +38,12 @@ struct KdTreeOptions {
 ///   K3  No path makes more than max_depth <= 64 splits, so the traversal stack cannot overflow.
 ///   K4  A leaf refers to every primitive with a point in its cell, the part of one that a plane cuts being on both
 ///       sides of it; a primitive that only touches a plane is on its own side.
-///   K5  There are at most 16 references for each primitive, 256 in the quality `best`.
+///   K5  There are at most 64 references for each primitive, 256 in the quality `best`; scans need two.
 /// The quality `fast` seeks planes along the widest axis of each cell, as long as one there is worth it, `balanced` and
-/// `best` along all axes. `best` also allows deeper trees, which differ where long thin primitives lie askew: there a
-/// tree can halve its work again and again, at the price of memory.
+/// `best` along all axes. `best` also allows deeper trees and more references, which differ where long thin primitives
+/// lie askew. There every single plane brings as much work as it saves, so that a greedy choice ends at the root, while
+/// halving across three axes in turn leaves three quarters of the work: a crowded cell that no plane makes cheaper is
+/// halved all the same, at the price of memory.
 /// Wald and Havran, "On building fast kd-trees for ray tracing, and on doing that in O(N log N)", 2006.
 class KdTree {
  public:
@@ -162,7 +164,7 @@ inline KdTree KdTree::build(const Primitives& primitives, const Options& options
       .max_leaf_size = static_cast<std::uint32_t>(options.max_leaf_size),
       .max_depth = options.max_depth > 0 ? options.max_depth : usual_depth,
       .costs = {options.traversal_cost, options.intersection_cost, 1 - double(options.empty_bonus)},
-      .reference_limit = is_best ? 256u : 16u,
+      .reference_limit = is_best ? 256u : 64u,
       .is_widest_only = options.quality == Quality::fast};
   const detail::KdSubtree binary = detail::KdTreeBuilder(primitives, settings).build(tree.bounds_);
   tree.treelets_ = detail::KdPacking(binary.nodes, tree.bounds_).pack();

@@ -54,6 +54,9 @@ class KdTreeBuilder {
   using Node = KdNode;
 
   static constexpr std::uint32_t serial_size = 1u << 14;  ///< Cells that hold fewer are built by one thread.
+  static constexpr std::uint32_t crowd_size = 64;         ///< Cells that hold more are divided at a loss, too.
+  static constexpr double least_gain = 0.1;               ///< Share of its cost that a split saves of a crowded cell.
+  static constexpr double most_parts = 1.8;               ///< Of a primitive in the halves of one, on average.
 
   /// What a cell holds. A cell that will be a leaf may have the first list only, with one event a primitive.
   struct Content {
@@ -72,6 +75,7 @@ class KdTreeBuilder {
 
   Content root_content(Aabb& bounds) const;
   void grow(Content& content, const Aabb& cell, int depth, Subtree& tree);
+  KdSplit split_of(const Content& content, const Aabb& cell) const;
   void divide(Content& content, const KdSplit& split, const std::array<Aabb, 2>& cells, int child_depth,
               std::array<Content, 2>& children, Scratch& scratch) const;
   void add_straddlers(const Aabb& cell, Content& child, Scratch& scratch) const;
@@ -123,7 +127,7 @@ inline auto KdTreeBuilder::root_content(Aabb& bounds) const -> Content {
 /// Appends the subtree of `content`, which it uses up.
 inline void KdTreeBuilder::grow(Content& content, const Aabb& cell, int depth, Subtree& tree) {
   if (is_leaf(content.count, depth)) return make_leaf(content, tree);
-  const KdSplit split = cheapest_split(content.events, content.count, cell, settings_.costs, settings_.is_widest_only);
+  const KdSplit split = split_of(content, cell);
   if (split.axis < 0 || std::uint64_t(split.count_below) + split.count_above > content.budget) {
     return make_leaf(content, tree);
   }
@@ -152,6 +156,21 @@ inline void KdTreeBuilder::grow(Content& content, const Aabb& cell, int depth, S
   }
   if (to_above > Node::link_limit) throw std::length_error("kd-tree: more nodes than a link can span");
   tree.nodes[index] = Node::inner(split.axis, split.place, static_cast<std::uint32_t>(to_above));  // K2
+}
+
+/// The cheapest split. A crowded cell that it does not make much cheaper is halved instead: where long primitives lie
+/// askew, a cell has to be halved across all three axes before that pays. Parts that still hold almost everything are
+/// not worth it: primitives that lie upon one another.
+inline KdSplit KdTreeBuilder::split_of(const Content& content, const Aabb& cell) const {
+  const double unsplit = settings_.costs.intersection * content.count;
+  const KdSplit cheapest =
+      cheapest_split(content.events, content.count, cell, settings_.costs, settings_.is_widest_only);
+  if (content.count <= crowd_size || (cheapest.axis >= 0 && cheapest.cost < (1 - least_gain) * unsplit)) {
+    return cheapest;
+  }
+  const KdSplit half = halving_split(content.events, content.count, cell);
+  if (half.axis < 0 || double(half.count_below) + half.count_above > most_parts * content.count) return cheapest;
+  return half;
 }
 
 inline void KdTreeBuilder::make_leaf(const Content& content, Subtree& tree) {

@@ -69,8 +69,8 @@ inline void merge_into(KdEventList& events, KdEventList& fresh) {
 }
 
 struct KdSplit {
-  double cost;    ///< Of the cell, so divided.
-  int axis = -1;  ///< -1 when not dividing is cheapest.
+  double cost = 0;  ///< Of the cell, so divided.
+  int axis = -1;    ///< -1 when not dividing is cheapest.
   float place = 0;
   bool flat_below = false;  ///< Primitives that lie flat in the plane go below.
   std::uint32_t count_below = 0, count_above = 0;
@@ -137,6 +137,24 @@ inline KdSplit cheapest_split(const std::array<KdEventList, 3>& lists, std::uint
     if (high == 0 && lists[axis].back().place() > lo) take(lists[axis].back().place(), true, low, 0, costs.empty_share);
   }
   return best;
+}
+
+/// The cell halved across its widest axis, whatever it costs; of a cell too thin for it, no split.
+inline KdSplit halving_split(const std::array<KdEventList, 3>& lists, std::uint32_t count, const Aabb& cell) {
+  KdSplit split;
+  const int axis = cell.longest_axis();
+  const float lo = cell.lo[axis], hi = cell.hi[axis];
+  split.place = lo + 0.5f * (hi - lo);
+  if (!(lo < split.place && split.place < hi)) return split;
+  split.axis = axis;
+  split.count_above = count;
+  for (const KdEvent& event : lists[axis]) {  // what lies flat in the plane goes above
+    if (event.place() > split.place) break;
+    const bool is_before = event.place() < split.place;
+    split.count_below += is_before && event.kind() != EventKind::end;
+    split.count_above -= is_before ? event.kind() != EventKind::start : event.kind() == EventKind::end;
+  }
+  return split;
 }
 
 /// Of a splitting plane. The values serve as counts in `deal`.

@@ -9,12 +9,12 @@ namespace sightline {
 /// Small triangles anywhere in the unit cube, each about as large as the room that it has.
 TriangleMesh make_soup(int triangles);
 
-/// Long thin triangles side by side, like straws in a bale cut to the unit cube: they go from face to face, at 45 degrees
-/// to z and, seen along z, at 45 degrees to x and y. On average they are 0.87 long and 0.006 wide, and a stick's box takes
-/// up a sixth of the cube: of 50,000 boxes 20,000 contain the middle, and no hierarchy of boxes parts them. Small cells
-/// do, at the price of many references; planes along the sticks do at the price of none. The camera and the lamp of the
-/// benchmarks see the sticks from the side, and gaps are few, so that rays end soon: what is measured is how well a
-/// structure finds the few triangles around a point.
+/// Long thin triangles side by side, like straws in a bale cut to the unit cube: they go from face to face, at 45
+/// degrees to z and, seen along z, at 45 degrees to x and y. On average they are 0.87 long and 0.006 wide, and a
+/// stick's box takes up a sixth of the cube: of 50,000 boxes 20,000 contain the middle, and no hierarchy of boxes parts
+/// them. Small cells do, at the price of many references; planes along the sticks do at the price of none. The camera
+/// and the lamp of the benchmarks see the sticks from the side, and gaps are few, so that rays end soon: what is
+/// measured is how well a structure finds the few triangles around a point.
 TriangleMesh make_sticks(int triangles);
 
 /// A landscape of cells * cells quads over the unit square, rough at all scales. y is up.
