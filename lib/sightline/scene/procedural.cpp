@@ -52,7 +52,7 @@ TriangleMesh make_soup(int triangles) {
 
 TriangleMesh make_sticks(int triangles) {
   const Vec3d along(0.5, 0.5, -std::sqrt(0.5));
-  constexpr float width = 0.016f;
+  constexpr float width = 0.02f;
   return random_triangles(triangles, [&](Random& random) {
     const Vec3d inside(random_point(random));
     double begin = -2, end = 2;

@@ -10,7 +10,7 @@ namespace sightline {
 TriangleMesh make_soup(int triangles);
 
 /// Long thin triangles side by side, like straws in a bale cut to the unit cube: they go from face to face, at 45
-/// degrees to z and, seen along z, at 45 degrees to x and y. On average they are 0.87 long and 0.006 wide, and a
+/// degrees to z and, seen along z, at 45 degrees to x and y. On average they are 0.87 long and 0.007 wide, and a
 /// stick's box takes up a sixth of the cube: of 50,000 boxes 20,000 contain the middle, and no hierarchy of boxes parts
 /// them. Small cells do, at the price of many references; planes along the sticks do at the price of none. The camera
 /// and the lamp of the benchmarks see the sticks from the side, and gaps are few, so that rays end soon: what is
