@@ -46,19 +46,23 @@ class BspBuilder {
     if (plan_.general_planes && (count <= plan_.effort.general_size || general_planes_pay(cell, boxes))) {
       return build_from_fragments(cell, boxes, budget, depth);
     }
-    const double limit = plan_.costs.tests(count);
-    const auto choice = boxes.best(cell, plan_.effort.bins, plan_.thickness, limit, plan_.costs);
-    if (!choice) {
-      return plan_.general_planes ? build_from_fragments(cell, boxes, budget, depth) : nodes_.add_leaf(count, id_of);
-    }
+    const bool is_crowded = !plan_.general_planes && count > crowd_size;
+    const double limit = (is_crowded ? 1 - least_gain : 1) * plan_.costs.tests(count);
+    auto choice = boxes.best(cell, plan_.effort.bins, plan_.thickness, limit, plan_.costs);
+    const bool is_halved = !choice && is_crowded;
+    if (!choice && plan_.general_planes) return build_from_fragments(cell, boxes, budget, depth);
+    if (is_halved) choice = halving(cell);
+    if (!choice) return nodes_.add_leaf(count, id_of);
     std::array<Aabb, 2> cells{cell, cell};  // B1
     cells[0].hi[choice->split.axis] = cells[1].lo[choice->split.axis] = choice->split.offset;
     std::array<BspBoxes, 2> own;
     const bool is_parallel = count >= parallel_size;
     std::array<BspBoxes, 2>& sides = is_parallel ? own : level_at(depth).boxes;
     boxes.split(choice->split, plan_.thickness / 2, plan_.primitives, sides);
-    const double share = budget / (double(sides[0].size()) + double(sides[1].size()));
-    if (share < 1 || std::min(sides[0].size(), sides[1].size()) == count) return nodes_.add_leaf(count, id_of);
+    const double parts = double(sides[0].size()) + double(sides[1].size()), share = budget / parts;
+    if (share < 1 || std::min(sides[0].size(), sides[1].size()) == count || (is_halved && parts > most_parts * count)) {
+      return nodes_.add_leaf(count, id_of);
+    }
     const std::size_t inner = nodes_.add_plane(choice->split);
     build_both(inner, is_parallel, [&](BspBuilder& builder, int side) {
       builder.build(cells[side], sides[side], share * sides[side].size(), depth + 1);
@@ -74,7 +78,9 @@ class BspBuilder {
   static constexpr std::uint32_t parallel_size = 4096;  ///< Subtrees this large are built side by side.
   static constexpr std::uint32_t least_sampled = 1024;  ///< Cells that hold fewer are not asked whether to change over.
   static constexpr std::uint32_t sample_size = 192;
-  static constexpr double least_gain = 0.1;  ///< Share of the cost that general planes must save on the sample.
+  static constexpr double least_gain = 0.1;        ///< Share of the cost that general planes must save on the sample.
+  static constexpr std::uint32_t crowd_size = 64;  ///< Cells that hold more are halved where axis planes alone fail.
+  static constexpr double most_parts = 1.8;        ///< Of a primitive in such halves, on average.
 
   /// Scratch of a node on the path, reused by its siblings.
   struct Level {
@@ -104,6 +110,15 @@ class BspBuilder {
     nodes_.append(lower.nodes_);
     nodes_.link_above(inner);
     nodes_.append(upper.nodes_);
+  }
+
+  /// Across the widest axis. Long primitives that lie askew are worth dividing by axis planes only when this has been
+  /// done across all three.
+  static std::optional<BspBoxes::Choice> halving(const Aabb& cell) {
+    const int axis = cell.longest_axis();
+    const float lo = cell.lo[axis], hi = cell.hi[axis], middle = lo + 0.5f * (hi - lo);
+    if (!(lo < middle && middle < hi)) return std::nullopt;
+    return BspBoxes::Choice{SplitPlane::across(axis, middle), 0};
   }
 
   /// Every step-th primitive as fragment, and the cell around them as thick as planes are at least, so that flat cells
