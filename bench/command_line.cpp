@@ -177,7 +177,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
           ->type_name("N")
           ->check(CLI::Range(least_growth_limit, most_growth_limit).description(""));
   auto* const rays_option =
-      app.add_option("--rays", rays, "Rays of each kind, 1 to 100000000 (100000; quick or without scenes 30000)")
+      app.add_option("--rays", rays,
+                     "Rays of each kind, 1 to 100000000 (100000; quick or without scenes 30000; of sticks a tenth)")
           ->type_name("N")
           ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}).description(""));
   auto* const rounds_option =
@@ -212,7 +213,6 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   }
   if (plan.scenes.empty()) {
     plan.rays = short_run_rays;
-    plan.slow_scene = "sticks";
     plan.slot_seconds = 0.03;
     plan.ray_seconds = 2;
     plan.build_seconds = 3;

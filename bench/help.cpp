@@ -36,6 +36,7 @@ Examples:
   sightline-bench --scene soup:100000 --workload build --threads 1
   sightline-bench --json out/bench.json        with all rounds, for other tools
   sightline-bench --scene dragon:3 --peer all  beside CGAL and VTK as well
+  sightline-bench --scene sticks               where boxes collapse
   sightline-bench --growth soup                exponents of time against triangles
   sightline-bench -- --benchmark_filter=bih    flags of Google Benchmark
 

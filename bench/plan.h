@@ -34,8 +34,8 @@ struct Plan {
   Asking asking;                                              ///< Of all structures.
   std::vector<std::string> peers{"embree", "embree-robust"};  ///< Names of this build's peers, each once.
   std::vector<Workload> workloads{Workload::build, Workload::primary, Workload::bounce, Workload::shadow};
-  std::size_t rays = 100'000;  ///< Of each workload.
-  std::string slow_scene;      ///< One that is asked a tenth of them, because most structures collapse there; or empty.
+  std::size_t rays = 100'000;        ///< Of each workload.
+  std::string slow_scene{"sticks"};  ///< Asked a tenth of them, because most structures collapse there; or empty.
   int rounds = 9;
   int threads = 0;  ///< To build with; 0 for as many as there are.
   std::filesystem::path data_dir;
