@@ -46,11 +46,10 @@ class BspBuilder {
     if (plan_.general_planes && (count <= plan_.effort.general_size || general_planes_pay(cell, boxes))) {
       return build_from_fragments(cell, boxes, budget, depth);
     }
-    const bool is_crowded = !plan_.general_planes && count > crowd_size;
-    const double limit = (is_crowded ? 1 - least_gain : 1) * plan_.costs.tests(count);
+    const double limit = plan_.costs.tests(count);
     auto choice = boxes.best(cell, plan_.effort.bins, plan_.thickness, limit, plan_.costs);
-    const bool is_halved = !choice && is_crowded;
     if (!choice && plan_.general_planes) return build_from_fragments(cell, boxes, budget, depth);
+    const bool is_halved = !choice && count > crowd_size;
     if (is_halved) choice = halving(cell);
     if (!choice) return nodes_.add_leaf(count, id_of);
     std::array<Aabb, 2> cells{cell, cell};  // B1

@@ -38,7 +38,7 @@ struct KdTreeOptions {
 ///   K3  No path makes more than max_depth <= 64 splits, so the traversal stack cannot overflow.
 ///   K4  A leaf refers to every primitive with a point in its cell, the part of one that a plane cuts being on both
 ///       sides of it; a primitive that only touches a plane is on its own side.
-///   K5  There are at most 64 references for each primitive, 256 in the quality `best`; scans need two.
+///   K5  There are at most 64 references for each primitive, 256 in the quality `best`; scanned meshes need two.
 /// The quality `fast` seeks planes along the widest axis of each cell, as long as one there is worth it, `balanced` and
 /// `best` along all axes. `best` also allows deeper trees and more references, which differ where long thin primitives
 /// lie askew. There every single plane brings as much work as it saves, so that a greedy choice ends at the root, while
