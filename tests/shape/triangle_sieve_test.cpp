@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "sightline/math/random.h"
+#include "sightline/math/rounding.h"
 
 namespace sightline {
 namespace {
@@ -72,6 +74,8 @@ const std::vector<Setting> settings{
     {0.1f, 1, 3, {1e4f, -3, 5}}, {0.01f, 100, 1e6f, {0, 7e4, 0}}, {0.1f, 1e-12f, 1, {0, 0, 0}},
 };
 
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
 /// Calls see(block, ray aimed at one of its triangles) often in every setting.
 template <class See>
 void for_each_case(std::uint64_t seed, See&& see) {
@@ -89,14 +93,19 @@ void for_each_case(std::uint64_t seed, See&& see) {
 template <class T>
 int accepted_and_kept(const Block& block, const Ray<T>& ray) {
   const TriangleRay exact(to_double(ray), block.bounds());
-  const std::uint32_t kept = TriangleSieve(ray, block.bounds()).may_cross(block.view());
+  const TriangleSieve sieve(ray, block.bounds());
+  const std::uint32_t kept = sieve.may_cross(block.view(), -infinity, infinity);
   EXPECT_LT(kept, 1u << block.count());
   int accepted = 0;
   for (std::uint32_t lane = 0; lane < block.count(); ++lane) {
     Crossing crossing;
     const bool is_hit = exact.intersect(block.triangles[lane], crossing);
     accepted += is_hit;
-    EXPECT_TRUE(!is_hit || (kept >> lane & 1));
+    if (!is_hit) continue;
+    EXPECT_TRUE(kept >> lane & 1);
+    // The shortest range that holds the crossing as it is reported.
+    const T t = static_cast<T>(crossing.t);
+    EXPECT_TRUE(sieve.may_cross(block.view(), round_down(next_down(t)), round_up(t)) >> lane & 1);
   }
   return accepted;
 }
@@ -120,7 +129,7 @@ TEST(TriangleSieve, DropsWhatIsMissed) {
     const Block block = random_block(random, 0.4f, 1, Vec3f(0));
     const Ray<double> ray = to_double(Ray<float>{random_point(random, -1, 1), random_point(random, -1, 1)});
     const TriangleRay exact(ray, block.bounds());
-    kept += std::popcount(TriangleSieve(ray, block.bounds()).may_cross(block.view()));
+    kept += std::popcount(TriangleSieve(ray, block.bounds()).may_cross(block.view(), -infinity, infinity));
     for (const Triangle& triangle : block.triangles) {
       Crossing crossing;
       accepted += exact.intersect(triangle, crossing);
@@ -128,6 +137,27 @@ TEST(TriangleSieve, DropsWhatIsMissed) {
   }
   EXPECT_GT(accepted, 20);
   EXPECT_LE(kept, accepted + 2);
+}
+
+TEST(TriangleSieve, DropsWhatIsOutOfRange) {
+  Random random(54);
+  int accepted = 0, kept = 0;
+  for (int round = 0; round < 10'000; ++round) {
+    const Block block = random_block(random, round % 2 == 0 ? 0.5f : 0.01f, 1, Vec3f(0));
+    const Ray<float> ray = ray_at(random, block.triangles[round % block.count()], 4);
+    const TriangleRay exact(to_double(ray), block.bounds());
+    const TriangleSieve sieve(ray, block.bounds());
+    for (std::uint32_t lane = 0; lane < block.count(); ++lane) {
+      Crossing crossing;
+      if (!exact.intersect(block.triangles[lane], crossing)) continue;
+      ++accepted;
+      const float t = static_cast<float>(crossing.t), away = 0.01f * std::fabs(t);
+      kept += (sieve.may_cross(block.view(), t + away, infinity) >> lane & 1) +
+              (sieve.may_cross(block.view(), -infinity, t - away) >> lane & 1);
+    }
+  }
+  EXPECT_GT(accepted, 3000);
+  EXPECT_LT(kept, accepted / 20);
 }
 
 TEST(TriangleSieve, CrossesWhereTheExactTestDoes) {

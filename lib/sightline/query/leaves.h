@@ -13,6 +13,7 @@
 
 #include "sightline/accel/accelerator.h"
 #include "sightline/accel/large_pages.h"
+#include "sightline/math/rounding.h"
 #include "sightline/query/level.h"
 #include "sightline/shape/mesh.h"
 #include "sightline/shape/shapes.h"
@@ -103,6 +104,15 @@ class TriangleBlocks {
   LargeBuffer<float> floats_;
 };
 
+namespace detail {
+
+inline float below(float t) { return t; }
+inline float below(double t) { return round_down(t); }
+inline float above(float t) { return t; }
+inline float above(double t) { return round_up(t); }
+
+}  // namespace detail
+
 /// Triangle blocks as queries of one precision level test them. Refers to its parts.
 template <Level level>
 class PackedLeaves {
@@ -123,7 +133,8 @@ class PackedLeaves {
       if (!exact_) exact_.emplace(to_double(ray_), bounds_);
       return *exact_;
     }
-    float t_min() const { return static_cast<float>(ray_.t_min); }
+    /// Not above the ray's.
+    float t_min() const { return detail::below(ray_.t_min); }
 
    private:
     const Ray<T>& ray_;
@@ -146,7 +157,7 @@ class PackedLeaves {
       const TriangleBlock block = blocks_[TriangleBlocks::next_block(leaf)];
       std::uint32_t unsure;
       if constexpr (level == Level::watertight) {
-        unsure = ray.sieve().may_cross(block);
+        unsure = ray.sieve().may_cross(block, ray.t_min(), detail::above(far));
       } else {
         TriangleSieve::Crossings found;
         ray.sieve().cross(block, ray.t_min(), far, found);

@@ -6,10 +6,11 @@
 /// decides about those. `cross` takes the signs as float gives them instead, and is what the precision level `fast`
 /// uses.
 ///
-/// With u = 2^-24 and R the largest distance over the axes from the origin to the scene's bounds:
-///   E1  A sheared coordinate is off by at most e = 6 u R + 2 o: two rounded differences, a rounded slope, a product, a
-///       difference of at most 2 R; o is what rounding the origin to float has moved it.
-///   E2  An edge function of coordinates up to M, as computed, is off by at most m (4 e + 4 u m), where m = M + e.
+/// With u = 2^-24, M the largest sheared coordinate of a triangle, L that along the direction's largest component, and
+/// R the largest distance over the axes from the origin to the scene's bounds:
+///   E1  A sheared coordinate is off by at most e = 6 u (M + L) + 2 o: two rounded differences, the sheared one at most
+///       M + L, a rounded slope, a product, a difference; o is what rounding the origin to float has moved it.
+///   E2  An edge function is off, as computed, by at most m (4 e + 4 u m), where m = M + e.
 ///   E3  Where squares of coordinates might leave the range of float nothing is sifted out; e is at least 2^-60, which
 ///       covers what underflows.
 
@@ -72,15 +73,32 @@ class TriangleSieve {
   template <class T>
   TriangleSieve(const Ray<T>& ray, const Aabb& bounds);
 
-  /// One bit a lane: set where the line of the ray may cross the triangle, and always set where it does.
-  [[gnu::always_inline]] std::uint32_t may_cross(const TriangleBlock& block) const {
+  /// One bit a lane: set where the ray may cross the triangle with t_min < t <= far, and always set where it does.
+  ///   E5  With B the bound of E2, s the sum of the edge functions and D the largest distance of a vertex from the
+  ///   first
+  ///       one along the direction's largest component: where 8 B <= |s|, a crossing lies, along that component,
+  ///       within 4.5 e + 5 B D / |s| of height / s. Edge functions of a crossing have one sign, so each weight is off
+  ///       by B / |s| and their sum by three times that, which moves the mean by 5 B D / |s|; vertices are off by e / 2
+  ///       each, and rounding adds 13 u L. The slack is 7 e, for the products with the slope and for t's own rounding.
+  [[gnu::always_inline]] std::uint32_t may_cross(const TriangleBlock& block, float t_min, float far) const {
     std::uint32_t bits = 0;
     for (std::uint32_t lane = 0; lane < lanes_of(block); lane += step) {
       const Edges e = edges(block, lane);
-      const V m = hn::Add(e.largest(), hn::Set(d, error_));
-      const V bound = hn::Mul(m, hn::MulAdd(hn::Set(d, 4.1f * unit_roundoff), m, hn::Set(d, 4.1f * error_)));  // E2
+      const V size = e.largest(), u = hn::Set(d, unit_roundoff);
+      const V error = hn::MulAdd(hn::Mul(hn::Set(d, 6.1f), u), hn::Add(size, e.farthest()), hn::Set(d, error_));  // E1
+      const V m = hn::Add(size, error);
+      const V bound = hn::Mul(hn::Mul(hn::Set(d, 4.1f), m), hn::MulAdd(u, m, error));  // E2
       const M is_outside = hn::And(hn::Lt(e.lowest(), hn::Neg(bound)), hn::Gt(e.highest(), bound));
-      bits |= bits_of(d, hn::Not(is_outside)) << lane;
+
+      const V sum = e.sum(), total = hn::Abs(sum), scale = hn::Set(d, slopes_[2]);
+      const V depth = hn::Max(hn::Abs(hn::Sub(e.bz, e.az)), hn::Abs(hn::Sub(e.cz, e.az)));
+      const V t = hn::Mul(hn::Div(e.height(), sum), scale);
+      const V spread = hn::Div(hn::Mul(hn::Mul(hn::Set(d, 5.5f), bound), hn::Mul(depth, hn::Abs(scale))), total);
+      const V slack = hn::MulAdd(error, hn::Set(d, t_slack_), spread);
+      const M is_elsewhere =  // false where a NaN says nothing
+          hn::And(hn::Ge(total, hn::Max(hn::Mul(hn::Set(d, 8), bound), hn::Set(d, smallest_sum))),
+                  hn::Or(hn::Lt(hn::Add(t, slack), hn::Set(d, t_min)), hn::Gt(hn::Sub(t, slack), hn::Set(d, far))));
+      bits |= bits_of(d, hn::Not(hn::Or(is_outside, is_elsewhere))) << lane;
     }
     return bits & block.mask();
   }
@@ -101,7 +119,7 @@ class TriangleSieve {
   [[gnu::always_inline]] void cross(const TriangleBlock& block, float t_min, float far, Crossings& found) const {
     if (!is_ordinary_) [[unlikely]] {
       found.hits = 0;
-      found.unsure = may_cross(block);
+      found.unsure = may_cross(block, t_min, far);
       return;
     }
     std::uint32_t hits = 0, unsure = 0;
@@ -111,15 +129,14 @@ class TriangleSieve {
       const M is_inside = hn::Or(hn::Ge(e.lowest(), zero), hn::Le(e.highest(), zero));
       if (hn::AllFalse(d, is_inside)) continue;
 
-      const V sum = hn::Add(e.u, hn::Add(e.v, e.w)), size = hn::Abs(sum);
-      const V height = hn::MulAdd(e.u, e.az, hn::MulAdd(e.v, e.bz, hn::Mul(e.w, e.cz)));
-      const V t = hn::Div(hn::Mul(height, hn::Set(d, slopes_[2])), sum);
+      const V sum = e.sum(), size = hn::Abs(sum);
+      const V t = hn::Div(hn::Mul(e.height(), hn::Set(d, slopes_[2])), sum);
       hn::StoreU(t, d, found.t + lane);
       hn::StoreU(hn::Div(e.v, sum), d, found.u + lane);
       hn::StoreU(hn::Div(e.w, sum), d, found.v + lane);
 
       const V m = e.largest();
-      const M is_sure = hn::And(hn::Gt(size, hn::Set(d, 0x1p-80f)),
+      const M is_sure = hn::And(hn::Gt(size, hn::Set(d, smallest_sum)),
                                 hn::Le(hn::Mul(m, hn::Mul(m, m)), hn::Mul(hn::Set(d, reach_), size)));
       const M is_in_range = hn::And(hn::Gt(t, hn::Set(d, t_min)), hn::Le(t, hn::Set(d, far)));
       hits |= bits_of(d, hn::And(is_inside, hn::And(is_sure, is_in_range))) << lane;
@@ -136,6 +153,7 @@ class TriangleSieve {
   static constexpr D d{};
   static constexpr std::uint32_t step = hn::MaxLanes(d);
   static constexpr float unit_roundoff = 0x1p-24f;
+  static constexpr float smallest_sum = 0x1p-80f;  ///< From here on what underflows in a height does not matter.
 
   struct Edges {
     V u, v, w;                 ///< Edge functions opposite to a, b and c.
@@ -145,6 +163,14 @@ class TriangleSieve {
     V lowest() const { return hn::Min(u, hn::Min(v, w)); }
     V highest() const { return hn::Max(u, hn::Max(v, w)); }
 
+    V sum() const { return hn::Add(u, hn::Add(v, w)); }
+    /// Along the direction's largest component, times the sum of the edge functions.
+    V height() const { return hn::MulAdd(u, az, hn::MulAdd(v, bz, hn::Mul(w, cz))); }
+
+    /// L of E1.
+    V farthest() const { return hn::Max(hn::Abs(az), hn::Max(hn::Abs(bz), hn::Abs(cz))); }
+
+    /// M of E1.
     V largest() const {
       const auto larger = [](V p, V q) { return hn::Max(hn::Abs(p), hn::Abs(q)); };
       return hn::Max(larger(ax, ay), hn::Max(larger(bx, by), larger(cx, cy)));
@@ -179,7 +205,8 @@ class TriangleSieve {
   float origin_[4];  ///< In the order of axes_.
   float slopes_[4];  ///< Of the first two axes against the last, and 1 / the last of the direction.
   int axes_[3];
-  float error_;       ///< e of E1.
+  float error_;       ///< What e of E1 is beyond M and L.
+  float t_slack_;     ///< 7 of E5 as a parameter; infinite where that would say nothing.
   float reach_;       ///< R.
   bool is_ordinary_;  ///< Nothing that `cross` computes overflows or underflows.
 };
@@ -209,10 +236,14 @@ template <class T>
     }
   }
   reach_ = static_cast<float>(std::min<T>(reach, largest)) * 0x1.00001p+0f;  // above what was rounded
-  error_ = is_in_range ? std::max(6.1f * unit_roundoff * reach_ + 2.1f * static_cast<float>(moved), 0x1p-60f)
+  error_ = is_in_range ? std::max(2.1f * static_cast<float>(moved), 0x1p-60f)
                        : std::numeric_limits<float>::infinity();  // E3
   const T speed = std::fabs(along);
-  is_ordinary_ = (moved == 0) & (reach >= smallest) & is_in_range & (speed <= largest) & (speed >= 1 / largest);
+  const bool is_moderate = (reach >= smallest) & is_in_range & (speed <= largest) & (speed >= 1 / largest);
+  constexpr float largest_cubed = 0x1p+40f;  // heights are cubes
+  t_slack_ =
+      is_moderate & (reach <= largest_cubed) ? 7.1f * std::fabs(slopes_[2]) : std::numeric_limits<float>::infinity();
+  is_ordinary_ = (moved == 0) & is_moderate;
 }
 
 }  // namespace sightline
