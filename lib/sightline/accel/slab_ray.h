@@ -1,13 +1,5 @@
 #pragma once
-
-#include <cstdint>
-
-#include "sightline/accel/padded_ray.h"
-#include "sightline/math/simd.h"
-
-namespace sightline {
-
-/// A padded ray of float against axis planes with one multiply-add each, t = plane * inverse - offset.
+/// Padded rays of float against axis planes with one multiply-add each, t = plane * inverse - offset.
 ///   S1  A component of the direction counts as at least 2^-30 of the largest, so that all that is computed is finite.
 ///       Until the ray leaves the scene this moves it by 2^-30 of reach, which the structure's half of the margin
 ///       covers (M2).
@@ -15,7 +7,48 @@ namespace sightline {
 ///       is moved by that much more, and by as much again for processors that round the product. What else is rounded,
 ///       the inverse and t, shifts planes by 4 u of reach (M2).
 ///   S3  Exponents stay within the range of float for ordinary rays alone; the others need PaddedRay.
-/// D names the vectors of planes.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "sightline/accel/padded_ray.h"
+#include "sightline/math/simd.h"
+
+namespace sightline {
+
+/// What S1 to S3 make of rays, a lane each, or of the axes of one ray.
+template <class D>
+struct MovedSlabs {
+  hn::Vec<D> inverse;
+  hn::Vec<D> enter_origin;  ///< Of planes through which the ray enters.
+  hn::Vec<D> leave_origin;  ///< Of planes through which the ray leaves.
+  hn::Mask<D> is_ordinary;
+};
+
+/// `speed` is the largest component of the direction.
+template <class D>
+[[gnu::always_inline]] inline MovedSlabs<D> moved_slabs(D d, hn::Vec<D> origin, hn::Vec<D> direction, hn::Vec<D> reach,
+                                                        hn::Vec<D> speed) {
+  using V = hn::Vec<D>;
+  const V slowest = hn::Mul(speed, hn::Set(d, 0x1p-30f));
+  const V inverse = hn::Div(hn::Set(d, 1.0f), hn::CopySign(hn::Max(hn::Abs(direction), slowest), direction));  // S1
+  const V pad = hn::Mul(reach, hn::Set(d, margin<float>));
+  constexpr float rounding = 3 * std::numeric_limits<float>::epsilon();  // S2: 6 u, of which PaddedRay has 4
+  const V away = hn::CopySign(hn::MulAdd(hn::Set(d, rounding), hn::Add(hn::Abs(origin), pad), pad), direction);
+  const auto is_within = [d](V x, float lowest, float highest) {  // not NaN
+    return hn::And(hn::Ge(x, hn::Set(d, lowest)), hn::Le(x, hn::Set(d, highest)));
+  };
+  const V size = hn::Abs(inverse);
+  const auto is_ordinary =
+      hn::And(hn::And(is_within(reach, 0x1p-100f, 0x1p+100f),  // S3
+                      is_within(hn::Mul(reach, size), 0x1p-90f, 0x1p+120f)),
+              hn::And(is_within(hn::Mul(hn::Abs(origin), size), 0, 0x1p+120f), is_within(speed, 0x1p-90f, 0x1p+90f)));
+  return {inverse, hn::Add(origin, away), hn::Sub(origin, away), is_ordinary};
+}
+
+/// A padded ray as slabs; D names the vectors of planes.
 template <class D>
 class SlabRay {
   using V = hn::Vec<D>;
@@ -29,30 +62,29 @@ class SlabRay {
     const F to_bounds = hn::Max(hn::Abs(hn::Sub(lows, origin)), hn::Abs(hn::Sub(highs, origin)));
     const F reach = hn::MaxOfLanes(f, hn::IfThenElseZero(is_axis, to_bounds));
     const F speed = hn::MaxOfLanes(f, hn::Abs(direction));
-    const F slowest = hn::Mul(speed, hn::Set(f, 0x1p-30f));
-    const F inverse = hn::Div(hn::Set(f, 1.0f), hn::CopySign(hn::Max(hn::Abs(direction), slowest), direction));  // S1
-    const F pad = hn::Mul(reach, hn::Set(f, margin<float>));
-    constexpr float rounding = 3 * std::numeric_limits<float>::epsilon();  // S2: 6 u, of which PaddedRay has 4
-    const F away = hn::CopySign(hn::MulAdd(hn::Set(f, rounding), hn::Add(hn::Abs(origin), pad), pad), direction);
-    alignas(16) float inverses[4], enters[4], leaves[4];
-    hn::Store(inverse, f, inverses);
-    hn::Store(hn::Mul(hn::Add(origin, away), inverse), f, enters);
-    hn::Store(hn::Mul(hn::Sub(origin, away), inverse), f, leaves);
-    for (int axis = 0; axis < 3; ++axis) {
+    const auto moved = moved_slabs(f, origin, direction, reach, speed);
+    alignas(16) std::array<float, 4> inverses, enters, leaves;
+    hn::Store(moved.inverse, f, inverses.data());
+    hn::Store(hn::Mul(moved.enter_origin, moved.inverse), f, enters.data());
+    hn::Store(hn::Mul(moved.leave_origin, moved.inverse), f, leaves.data());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
       inverse_[axis] = hn::Set(D(), inverses[axis]);
       enter_[axis] = hn::Set(D(), enters[axis]);
       leave_[axis] = hn::Set(D(), leaves[axis]);
     }
-    const auto is_within = [](F x, float lowest, float highest) {  // not NaN
-      return hn::And(hn::Ge(x, hn::Set(f, lowest)), hn::Le(x, hn::Set(f, highest)));
-    };
-    const F size = hn::Abs(inverse);
-    is_ordinary_ = (ray.t_min <= ray.t_max) &
-                   hn::AllTrue(f, hn::And(hn::And(is_within(reach, 0x1p-100f, 0x1p+100f),  // S3
-                                                  is_within(hn::Mul(reach, size), 0x1p-90f, 0x1p+120f)),
-                                          hn::And(is_within(hn::Mul(hn::Abs(origin), size), 0, 0x1p+120f),
-                                                  is_within(speed, 0x1p-90f, 0x1p+90f))));
-    octant_ = bits_of(f, hn::And(is_axis, hn::Lt(inverse, hn::Zero(f))));
+    octant_ = bits_of(f, hn::And(is_axis, hn::Lt(moved.inverse, hn::Zero(f))));
+    is_ordinary_ = (ray.t_min <= ray.t_max) & hn::AllTrue(f, moved.is_ordinary);
+  }
+
+  /// An ordinary one of its numbers by axis; offsets are moved origins times inverses.
+  SlabRay(const std::array<float, 3>& inverse, const std::array<float, 3>& enter, const std::array<float, 3>& leave,
+          std::uint32_t octant)
+      : octant_(octant), is_ordinary_(true) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      inverse_[axis] = hn::Set(D(), inverse[axis]);
+      enter_[axis] = hn::Set(D(), enter[axis]);
+      leave_[axis] = hn::Set(D(), leave[axis]);
+    }
   }
 
   bool is_ordinary() const { return is_ordinary_; }

@@ -10,6 +10,7 @@
 #include "sightline/accel/large_pages.h"
 #include "sightline/accel/reference_split.h"
 #include "sightline/accel/wide_tree_builder.h"
+#include "sightline/accel/wide_tree_packet.h"
 #include "sightline/accel/wide_tree_walk.h"
 
 namespace sightline {
@@ -66,6 +67,14 @@ class WideTree {
 
   template <class T>
   class Walk;
+
+  /// Rays that begin together, for processors with eight lanes.
+  template <class T>
+  requires wide_has_slabs<T>
+  class Packet : public WidePacket<T> {
+   public:
+    Packet(const WideTree& tree, std::span<const Ray<T>> rays) : WidePacket<T>(tree.nodes_, tree.bounds_, rays) {}
+  };
 
   /// A node has the number of its place, a leaf that of its first position, counted on from the last node's.
   template <class See>
@@ -124,6 +133,10 @@ class WideTree::Walk {
  public:
   Walk(const WideTree& tree, const Ray<T>& ray) : walk_(tree.nodes_, tree.bounds_, ray) {}
 
+  /// Goes on alone from where the packet has come to.
+  Walk(const WideTree& tree, const WidePacket<T>& packet, std::size_t ray)
+      : walk_(tree.nodes_, {packet.slabs(ray), packet.t_min(ray), packet.t_max(ray)}, packet.start(ray, stack_)) {}
+
   /// False for a ray that `traverse` has to take.
   bool serves() const { return walk_.serves(); }
 
@@ -138,8 +151,8 @@ class WideTree::Walk {
   }
 
  private:
-  WideWalk<T, WideOpenerOf<T>> walk_;
   WideStack<T> stack_;
+  WideWalk<T, WideOpenerOf<T>> walk_;
 };
 
 template <class T, LeafVisitor<T> Visit, class Probe>

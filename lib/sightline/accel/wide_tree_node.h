@@ -6,6 +6,7 @@
 
 #include "sightline/accel/probe.h"
 #include "sightline/math/aabb.h"
+#include "sightline/math/simd.h"
 
 namespace sightline {
 
@@ -38,6 +39,12 @@ struct alignas(64) WideNode {
   /// first: three bits each.
   std::array<std::uint32_t, 8> orders;
 
+  /// The planes number `index` of all children.
+  template <class D>
+  [[gnu::always_inline]] hn::Vec<D> row(D d, int index) const {
+    return hn::Load(d, planes.data() + index * width);
+  }
+  std::uint32_t order(std::uint32_t octant) const { return orders[octant]; }
   float plane(int index, int child) const { return planes[static_cast<std::size_t>(index * width + child)]; }
   Aabb box(int child) const {
     return {{plane(0, child), plane(1, child), plane(2, child)}, {plane(3, child), plane(4, child), plane(5, child)}};

@@ -70,8 +70,13 @@ class WideOpener {
 template <class T>
 class WideSlabOpener {
  public:
+  using D = hn::CappedTag<float, WideNode::width>;
+
   [[gnu::always_inline]] WideSlabOpener(const Ray<T>& ray, const Aabb& bounds)
-      : slabs_(ray, bounds), t_min_(ray.t_min), t_max_(ray.t_max), octant_(slabs_.octant()) {
+      : WideSlabOpener(SlabRay<D>(ray, bounds), ray.t_min, ray.t_max) {}
+
+  [[gnu::always_inline]] WideSlabOpener(const SlabRay<D>& slabs, T t_min, T t_max)
+      : slabs_(slabs), t_min_(t_min), t_max_(t_max), octant_(slabs.octant()) {
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
       const std::uint32_t is_negative = octant_ >> axis & 1;
       near_[axis] = (axis + 3 * is_negative) * WideNode::width;
@@ -113,7 +118,6 @@ class WideSlabOpener {
   }
 
  private:
-  using D = hn::CappedTag<float, WideNode::width>;
   using U = hn::RebindToUnsigned<D>;
   static constexpr D f{};
   static constexpr U u{};
@@ -140,6 +144,15 @@ class WideWalk {
       : nodes_(nodes), opener_(ray, bounds), far_(opener_.t_max()), enter_(opener_.t_min()) {
     link_ = !nodes.empty() && enter_ <= far_ ? 0 : WideLink::none;
   }
+
+  /// Begins with what is on the stack already.
+  [[gnu::always_inline]] WideWalk(std::span<const WideNode> nodes, const Opener& opener, std::size_t count)
+      : nodes_(nodes),
+        opener_(opener),
+        far_(opener_.t_max()),
+        enter_(opener_.t_min()),
+        link_(WideLink::none),
+        count_(count) {}
 
   /// False for a ray that this opener cannot take.
   bool serves() const { return opener_.serves(); }

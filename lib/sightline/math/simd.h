@@ -40,12 +40,12 @@ inline void prefetch(const void* begin, std::size_t bytes) {
   hwy::Prefetch(at + bytes - 1);
 }
 
-/// One bit a lane, of at most eight lanes.
+/// One bit a lane, of at most sixteen lanes.
 template <class D, class M>
 std::uint32_t bits_of(D d, M mask) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(d, mask, bytes);
-  return bytes[0];
+  return hn::MaxLanes(d) <= 8 ? bytes[0] : bytes[0] | std::uint32_t{bytes[1]} << 8;
 }
 
 }  // namespace sightline

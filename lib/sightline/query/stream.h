@@ -7,6 +7,7 @@
 /// Wald, Slusallek, Benthin and Wagner, "Interactive Rendering with Coherent Ray Tracing", 2001 (many rays at once);
 /// Chen, Ailamaki, Gibbons and Mowry, "Improving Hash Join Performance through Prefetching", 2004 (taking turns).
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -25,63 +26,120 @@ concept Steppable = requires(const A& accel, const Ray<T>& ray) {
 /// to stay in the first-level cache.
 inline constexpr std::size_t stream_width = 12;
 
+/// Structures in which rays can begin together.
+template <class A, class T>
+concept Packing = Steppable<A, T> && requires {
+  typename A::template Packet<T>;
+};
+
 namespace detail {
 
-/// Feeds the rays through slots. `Query` is made of a ray, is told of leaves, and says what was found.
-template <class Query, class T, class Leaves, class Accel, class Finish>
-void stream(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> rays, Finish&& finish) {
-  struct Slot {
-    Slot(const Accel& accel, const Leaves& leaves, const Ray<T>& ray, std::size_t at)
-        : walk(accel, ray), query(leaves, ray), index(at) {}
-    typename Accel::template Walk<T> walk;
-    Query query;
-    std::size_t index;
-  };
-  std::array<std::optional<Slot>, stream_width> slots;
-  NoProbe probe;
-  std::size_t next = 0, under_way = 0;
-  const auto fill = [&](std::optional<Slot>& slot) {
-    for (slot.reset(); next < rays.size() && !slot; ++next) {
-      slot.emplace(accel, leaves, rays[next], next);
-      if (slot->walk.serves()) {
-        ++under_way;
-      } else {
-        accel.traverse(rays[next], QueryVisitor{slot->query, leaves}, probe);
-        finish(next, slot->query);
-        slot.reset();
-      }
-    }
-  };
-  for (auto& slot : slots) fill(slot);
-  while (under_way > 0) {
-    for (auto& slot : slots) {
-      if (!slot) continue;
-      const QueryVisitor visit{slot->query, leaves};
-      if (slot->walk.step(visit, probe)) {
-        slot->walk.fetch_next(visit);
-      } else {
-        finish(slot->index, slot->query);
-        --under_way;
-        fill(slot);
+struct NoPacket {};
+template <class A, class T>
+struct PacketOf {
+  using type = NoPacket;
+};
+template <class A, class T>
+requires Packing<A, T>
+struct PacketOf<A, T> {
+  using type = typename A::template Packet<T>;
+};
+
+/// Feeds rays through slots. `Query` is made of a ray, is told of leaves, and says what was found.
+template <class Query, class T, class Leaves, class Accel>
+class Stream {
+ public:
+  Stream(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> rays)
+      : accel_(accel), leaves_(leaves), rays_(rays) {}
+
+  /// Calls finish(index of the ray, its query) for every ray, in any order.
+  template <class Finish>
+  void run(Finish&& finish) {
+    for (auto& slot : slots_) fill(slot, finish);
+    while (under_way_ > 0) {
+      for (auto& slot : slots_) {
+        if (!slot) continue;
+        const QueryVisitor visit{slot->query, leaves_};
+        if (slot->walk.step(visit, probe_)) {
+          slot->walk.fetch_next(visit);
+        } else {
+          finish(slot->index, slot->query);
+          --under_way_;
+          fill(slot, finish);
+        }
       }
     }
   }
-}
+
+ private:
+  using Walk = typename Accel::template Walk<T>;
+  using Packet = typename PacketOf<Accel, T>::type;
+
+  struct Slot {
+    template <class... From>
+    Slot(const Leaves& leaves, const Ray<T>& ray, std::size_t at, const Accel& accel, const From&... from)
+        : walk(accel, from...), query(leaves, ray), index(at) {}
+    Walk walk;
+    Query query;
+    std::size_t index;
+  };
+
+  template <class Finish>
+  void fill(std::optional<Slot>& slot, Finish&& finish) {
+    for (slot.reset(); next_ < rays_.size() && !slot; ++next_) {
+      const Ray<T>& ray = rays_[next_];
+      if (begin_together(slot, finish)) continue;
+      slot.emplace(leaves_, ray, next_, accel_, ray);
+      if (slot->walk.serves()) continue;
+      accel_.traverse(ray, QueryVisitor{slot->query, leaves_}, probe_);
+      finish(next_, slot->query);
+      slot.reset();
+    }
+    under_way_ += slot.has_value();
+  }
+
+  /// Makes a packet of every so many rays; false where they are not coherent.
+  template <class Finish>
+  bool begin_together(std::optional<Slot>& slot, Finish&& finish) {
+    if constexpr (Packing<Accel, T>) {
+      const std::size_t lane = next_ % Packet::size;
+      if (lane == 0) packet_.emplace(accel_, rays_.subspan(next_, std::min(Packet::size, rays_.size() - next_)));
+      if (!packet_->is_coherent()) return false;
+      if (packet_->is_met(lane)) {
+        slot.emplace(leaves_, rays_[next_], next_, accel_, *packet_, lane);
+      } else {
+        finish(next_, Query(leaves_, rays_[next_]));
+      }
+      return true;
+    } else {
+      return false;
+    }
+  }
+
+  const Accel& accel_;
+  const Leaves& leaves_;
+  std::span<const Ray<T>> rays_;
+  std::size_t next_ = 0, under_way_ = 0;
+  std::array<std::optional<Slot>, stream_width> slots_;
+  std::optional<Packet> packet_;
+  NoProbe probe_;
+};
 
 }  // namespace detail
 
 /// hits[i] becomes what closest_hit finds for rays[i].
 template <class T, FetchingLeaves Leaves, Steppable<T> Accel>
 void closest_hits(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> rays, std::span<Hit<T>> hits) {
-  detail::stream<ClosestQuery<T, Leaves>, T>(accel, leaves, rays,
-                                             [&](std::size_t i, const auto& query) { hits[i] = query.best; });
+  detail::Stream<ClosestQuery<T, Leaves>, T, Leaves, Accel>(accel, leaves, rays)
+      .run([&](std::size_t i, const auto& query) { hits[i] = query.best; });
 }
 
 /// is_hit[i] becomes what any_hit finds for rays[i].
 template <class T, FetchingLeaves Leaves, Steppable<T> Accel>
 void any_hits(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit) {
-  detail::stream<AnyQuery<T, Leaves>, T>(accel, leaves, rays,
-                                         [&](std::size_t i, const auto& query) { is_hit[i] = query.is_found; });
+  detail::Stream<AnyQuery<T, Leaves>, T, Leaves, Accel>(accel, leaves, rays).run([&](std::size_t i, const auto& query) {
+    is_hit[i] = query.is_found;
+  });
 }
 
 }  // namespace sightline
