@@ -58,7 +58,7 @@ class SlabRay {
     const auto is_axis = hn::FirstN(f, 3);
     const F origin = hn::IfThenElseZero(is_axis, hn::LoadU(f, &ray.origin.x));  // reads into the direction, and so on
     const F direction = hn::IfThenElseZero(is_axis, hn::LoadU(f, &ray.direction.x));
-    const F lows = hn::LoadU(f, &bounds.lo.x), highs = hn::Shuffle0321(hn::LoadU(f, &bounds.lo.z));
+    const F lows = hn::LoadU(f, &bounds.lo.x), highs = shifted_down(hn::LoadU(f, &bounds.lo.z));
     const F to_bounds = hn::Max(hn::Abs(hn::Sub(lows, origin)), hn::Abs(hn::Sub(highs, origin)));
     const F reach = hn::MaxOfLanes(f, hn::IfThenElseZero(is_axis, to_bounds));
     const F speed = hn::MaxOfLanes(f, hn::Abs(direction));
@@ -98,9 +98,14 @@ class SlabRay {
   V leave(int axis, V planes) const { return hn::MulSub(planes, inverse_[axis], leave_[axis]); }
 
  private:
-  using Axes = hn::CappedTag<float, 4>;
+  using Axes = hn::CappedTag<hn::TFromD<D>, 4>;  // depends on D: not every processor has four lanes
   using F = hn::Vec<Axes>;
   static constexpr Axes f{};
+
+  static F shifted_down(F v) {
+    alignas(16) static constexpr std::int32_t lanes[] = {1, 2, 3, 0};
+    return hn::TableLookupLanes(v, hn::SetTableIndices(f, lanes));
+  }
 
   V inverse_[3], enter_[3], leave_[3];
   std::uint32_t octant_;

@@ -29,9 +29,11 @@ class WideLink {
   }
 };
 
-/// A node of a wide tree: the boxes of its children, plane by plane.
+/// A node of a wide tree: the boxes of its children, plane by plane. Traversal needs of a node its links, order, rows
+/// and boxes.
 struct alignas(64) WideNode {
   static constexpr int width = 8;
+  static constexpr bool may_meet_none = false;  ///< Whether the rows of a child that is none may seem to be met.
 
   std::array<float, 6 * width> planes;  ///< Of all children: low x, y, z, high x, y, z.
   std::array<std::uint32_t, width> links;
@@ -39,12 +41,18 @@ struct alignas(64) WideNode {
   /// first: three bits each.
   std::array<std::uint32_t, 8> orders;
 
-  /// The planes number `index` of all children.
-  template <class D>
-  [[gnu::always_inline]] hn::Vec<D> row(D d, int index) const {
-    return hn::Load(d, planes.data() + index * width);
+  /// Where the low or the high planes of an axis begin.
+  static constexpr std::uint32_t row_at(int axis, bool is_high) {
+    return static_cast<std::uint32_t>((axis + 3 * is_high) * width);
   }
+  /// One plane of each child, those that begin at row_at(axis, ...).
+  template <class D>
+  [[gnu::always_inline]] hn::Vec<D> row(D d, [[maybe_unused]] int axis, std::uint32_t at) const {
+    return hn::Load(d, planes.data() + at);
+  }
+  /// The children as their octant has them; what stands above the 24 bits is not specified.
   std::uint32_t order(std::uint32_t octant) const { return orders[octant]; }
+
   float plane(int index, int child) const { return planes[static_cast<std::size_t>(index * width + child)]; }
   Aabb box(int child) const {
     return {{plane(0, child), plane(1, child), plane(2, child)}, {plane(3, child), plane(4, child), plane(5, child)}};

@@ -21,13 +21,13 @@ namespace sightline {
 /// Boulos, Edwards, Lacewell, Kniss, Kautz, Shirley and Wald, "Packet-based Whitted and Distribution Ray Tracing", 2007
 /// (intervals); Benthin, Wald, Woop, Ernst and Mark, "Combining Single and Packet-Ray Tracing for Arbitrary Ray
 /// Distributions on the Intel MIC Architecture", 2012 (packets that fall apart into single rays).
-template <class T>
+template <class T, class Node>
 class WidePacket {
  public:
   static constexpr std::size_t size = 16;
 
   /// At least one ray; refers to the nodes.
-  WidePacket(std::span<const WideNode> nodes, const Aabb& bounds, std::span<const Ray<T>> rays)
+  WidePacket(std::span<const Node> nodes, const Aabb& bounds, std::span<const Ray<T>> rays)
       : nodes_(nodes), count_(rays.size()) {
     take(rays);
     is_coherent_ = !nodes.empty() && prepare(bounds);
@@ -40,7 +40,7 @@ class WidePacket {
   /// Whether a ray has anything to do at all.
   bool is_met(std::size_t ray) const { return met_ >> ray & 1; }
 
-  SlabRay<typename WideSlabOpener<T>::D> slabs(std::size_t ray) const {
+  SlabRay<typename WideSlabOpener<T, Node>::D> slabs(std::size_t ray) const {
     const auto of = [&](const Rows& rows) { return std::array{rows[0][ray], rows[1][ray], rows[2][ray]}; };
     return {of(inverse_), of(enter_), of(leave_), octant_};
   }
@@ -61,7 +61,7 @@ class WidePacket {
  private:
   using Rows = std::array<std::array<T, size>, 3>;
   using P = hn::CappedTag<T, size>;  ///< Of rays.
-  using D = typename WideSlabOpener<T>::D;
+  using D = typename WideSlabOpener<T, Node>::D;
   using V = hn::Vec<P>;
   static constexpr std::size_t budget = 16;  ///< Nodes.
   static constexpr int few = 4;              ///< Rays for which a node is not worth opening together.
@@ -150,7 +150,7 @@ class WidePacket {
                        range_of(inverse_[axis])};
     }
     range_ = {range_of(t_min_).lo, range_of(t_max_).hi};
-    std::array<Child, (budget + 2) * WideNode::width> waiting;
+    std::array<Child, (budget + 2) * Node::width> waiting;
     std::size_t waiting_count = open(0, waiting.data());
     for (std::size_t opened = 1; waiting_count > 0;) {
       const Child child = waiting[--waiting_count];
@@ -171,20 +171,22 @@ class WidePacket {
   /// Lists the children that the intervals meet, nearest last, and returns how many there are.
   std::size_t open(std::uint32_t index, Child* children) const {
     const D f;
-    const WideNode& node = nodes_[index];
+    const Node& node = nodes_[index];
     auto lo = hn::Set(f, range_.lo), hi = hn::Set(f, range_.hi);
     for (int axis = 0; axis < 3; ++axis) {
       const Bounds& bounds = bounds_[axis];
-      const int is_negative = octant_ >> axis & 1;
+      const bool is_negative = octant_ >> axis & 1;
       const auto slow = hn::Set(f, bounds.inverse.lo), fast = hn::Set(f, bounds.inverse.hi);
-      const auto from_enter = hn::Sub(node.row(f, axis + 3 * is_negative), hn::Set(f, bounds.enter_origin));
-      const auto from_leave = hn::Sub(node.row(f, axis + 3 - 3 * is_negative), hn::Set(f, bounds.leave_origin));
+      const auto from_enter =
+          hn::Sub(node.row(f, axis, Node::row_at(axis, is_negative)), hn::Set(f, bounds.enter_origin));
+      const auto from_leave =
+          hn::Sub(node.row(f, axis, Node::row_at(axis, !is_negative)), hn::Set(f, bounds.leave_origin));
       lo = hn::Max(lo, hn::Min(hn::Mul(from_enter, slow), hn::Mul(from_enter, fast)));
       hi = hn::Min(hi, hn::Max(hn::Mul(from_leave, slow), hn::Mul(from_leave, fast)));
     }
     const std::uint32_t met = bits_of(f, hn::Le(lo, hi));
     std::size_t count = 0;
-    for (std::uint32_t order = node.order(octant_), i = 0; i < WideNode::width; ++i, order >>= 3) {
+    for (std::uint32_t order = node.order(octant_), i = 0; i < Node::width; ++i, order >>= 3) {
       children[count] = {index, order & 7};
       count += met >> (order & 7) & 1;
     }
@@ -212,7 +214,7 @@ class WidePacket {
     return met & ((1u << count_) - 1);
   }
 
-  std::span<const WideNode> nodes_;
+  std::span<const Node> nodes_;
   std::size_t count_;
   alignas(64) Rows origin_, direction_, inverse_;
   alignas(64) Rows enter_origin_, leave_origin_;  ///< Moved, see SlabRay.
@@ -221,7 +223,7 @@ class WidePacket {
   std::uint32_t octant_ = 0;
   std::array<Bounds, 3> bounds_;
   Range range_;
-  std::array<Part, (budget + 1) * WideNode::width> parts_;
+  std::array<Part, (budget + 1) * Node::width> parts_;
   std::size_t part_count_ = 0;
   std::uint32_t met_ = 0;
   bool is_coherent_;

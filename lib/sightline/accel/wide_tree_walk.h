@@ -27,9 +27,11 @@ struct WideStack {
 };
 
 /// Tests the children of a node one by one.
-template <class T>
+template <class T, class NodeType>
 class WideOpener {
  public:
+  using Node = NodeType;
+
   WideOpener(const Ray<T>& ray, const Aabb& bounds) : ray_(ray, bounds) {
     for (int axis = 0; axis < 3; ++axis) octant_ |= std::uint32_t{ray_.is_negative[axis]} << axis;
   }
@@ -42,10 +44,10 @@ class WideOpener {
   /// `link`, entered at `enter`. False when there is none. Farther ones go first and the nearest is left, unless in any
   /// order.
   template <bool any_order>
-  bool open(const WideNode& node, T far, WideStack<T>& stack, std::size_t& count, std::uint32_t& link, T& enter) const {
-    std::uint32_t order = node.orders[octant_];
+  bool open(const Node& node, T far, WideStack<T>& stack, std::size_t& count, std::uint32_t& link, T& enter) const {
+    std::uint32_t order = node.order(octant_);
     bool is_any = false;
-    for (int i = 0; i < WideNode::width; ++i, order >>= 3) {
+    for (int i = 0; i < Node::width; ++i, order >>= 3) {
       const int child = static_cast<int>(order & 7);
       const Interval<T> range = ray_.clip(node.box(child), far);
       if (range.is_empty()) continue;
@@ -67,20 +69,21 @@ class WideOpener {
 
 /// Tests all children at once, as WideOpener does, for ordinary rays (slab_ray.h). A template, so that it need not
 /// compile where there are fewer lanes.
-template <class T>
+template <class T, class NodeType>
 class WideSlabOpener {
  public:
-  using D = hn::CappedTag<float, WideNode::width>;
+  using Node = NodeType;
+  using D = hn::CappedTag<float, Node::width>;
 
   [[gnu::always_inline]] WideSlabOpener(const Ray<T>& ray, const Aabb& bounds)
       : WideSlabOpener(SlabRay<D>(ray, bounds), ray.t_min, ray.t_max) {}
 
   [[gnu::always_inline]] WideSlabOpener(const SlabRay<D>& slabs, T t_min, T t_max)
       : slabs_(slabs), t_min_(t_min), t_max_(t_max), octant_(slabs.octant()) {
-    for (std::uint32_t axis = 0; axis < 3; ++axis) {
-      const std::uint32_t is_negative = octant_ >> axis & 1;
-      near_[axis] = (axis + 3 * is_negative) * WideNode::width;
-      far_[axis] = (axis + 3 - 3 * is_negative) * WideNode::width;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool is_negative = octant_ >> axis & 1;
+      near_[axis] = Node::row_at(axis, is_negative);
+      far_[axis] = Node::row_at(axis, !is_negative);
     }
   }
 
@@ -90,14 +93,14 @@ class WideSlabOpener {
   T t_max() const { return t_max_; }
 
   template <bool any_order>
-  [[gnu::always_inline]] bool open(const WideNode& node, T far, WideStack<T>& stack, std::size_t& count,
+  [[gnu::always_inline]] bool open(const Node& node, T far, WideStack<T>& stack, std::size_t& count,
                                    std::uint32_t& link, T& enter) const {
-    const auto entered = [&](int axis) { return slabs_.enter(axis, hn::Load(f, node.planes.data() + near_[axis])); };
-    const auto left = [&](int axis) { return slabs_.leave(axis, hn::Load(f, node.planes.data() + far_[axis])); };
+    const auto entered = [&](int axis) { return slabs_.enter(axis, node.row(f, axis, near_[axis])); };
+    const auto left = [&](int axis) { return slabs_.leave(axis, node.row(f, axis, far_[axis])); };
     auto lo = hn::Max(hn::Max(entered(0), entered(1)), hn::Max(entered(2), hn::Set(f, t_min_)));
     auto hi = hn::Min(hn::Min(left(0), left(1)), hn::Min(left(2), hn::Set(f, far)));
     auto links = hn::Load(u, node.links.data());
-    const std::uint32_t order = node.orders[octant_];
+    const std::uint32_t order = node.order(octant_);
     if constexpr (!any_order) {
       const auto shifts = hn::Mul(hn::Iota(u, 0), hn::Set(u, 3));
       const auto sorted = hn::And(hn::Shr(hn::Set(u, order), shifts), hn::Set(u, 7));
@@ -105,7 +108,10 @@ class WideSlabOpener {
       hi = hn::TableLookupLanes(hi, hn::IndicesFromVec(f, sorted));
       links = hn::TableLookupLanes(links, hn::IndicesFromVec(u, sorted));
     }
-    const auto is_met = hn::Le(lo, hi);
+    auto is_met = hn::Le(lo, hi);
+    if constexpr (Node::may_meet_none) {
+      is_met = hn::And(is_met, hn::RebindMask(f, hn::Ne(links, hn::Set(u, WideLink::none))));
+    }
     const std::uint32_t bits = bits_of(f, is_met);
     if (bits == 0) return false;
     hn::StoreU(hn::Compress(lo, is_met), f, stack.enters.data() + count);
@@ -132,21 +138,23 @@ template <class T>
 inline constexpr bool wide_has_slabs =
     std::is_same_v<T, float>&& hn::MaxLanes(hn::CappedTag<float, WideNode::width>()) == WideNode::width;
 
-template <class T>
-using WideOpenerOf = std::conditional_t<wide_has_slabs<T>, WideSlabOpener<T>, WideOpener<T>>;
+template <class T, class Node>
+using WideOpenerOf = std::conditional_t<wide_has_slabs<T>, WideSlabOpener<T, Node>, WideOpener<T, Node>>;
 
 /// Goes on step by step, so that many rays can be under way at once and none waits for memory alone. Refers to the
 /// nodes. The stack is the caller's, so that compilers keep the rest in registers.
 template <class T, class Opener>
 class WideWalk {
+  using Node = typename Opener::Node;
+
  public:
-  [[gnu::always_inline]] WideWalk(std::span<const WideNode> nodes, const Aabb& bounds, const Ray<T>& ray)
+  [[gnu::always_inline]] WideWalk(std::span<const Node> nodes, const Aabb& bounds, const Ray<T>& ray)
       : nodes_(nodes), opener_(ray, bounds), far_(opener_.t_max()), enter_(opener_.t_min()) {
     link_ = !nodes.empty() && enter_ <= far_ ? 0 : WideLink::none;
   }
 
   /// Begins with what is on the stack already.
-  [[gnu::always_inline]] WideWalk(std::span<const WideNode> nodes, const Opener& opener, std::size_t count)
+  [[gnu::always_inline]] WideWalk(std::span<const Node> nodes, const Opener& opener, std::size_t count)
       : nodes_(nodes),
         opener_(opener),
         far_(opener_.t_max()),
@@ -162,7 +170,7 @@ class WideWalk {
   [[gnu::always_inline]] bool step(WideStack<T>& stack, Visit&& visit, Probe& probe) {
     if (!WideLink::is_leaf(link_)) {
       probe.node(number_of(link_), static_cast<double>(enter_));
-      const WideNode& node = nodes_[WideLink::node(link_)];
+      const Node& node = nodes_[WideLink::node(link_)];
       if (opener_.template open<takes_any_order<Visit>>(node, far_, stack, count_, link_, enter_)) return true;
     } else if (link_ != WideLink::none) {
       const LeafRange range = WideLink::leaf(link_);
@@ -198,13 +206,13 @@ class WideWalk {
   template <class Visit>
   [[gnu::always_inline]] void fetch(std::uint32_t link, const Visit& visit) const {
     if (!WideLink::is_leaf(link)) {
-      prefetch(&nodes_[WideLink::node(link)], sizeof(WideNode));
+      prefetch(&nodes_[WideLink::node(link)], sizeof(Node));
     } else if (link != WideLink::none) {
       fetch_leaf(visit, WideLink::leaf(link));
     }
   }
 
-  std::span<const WideNode> nodes_;
+  std::span<const Node> nodes_;
   Opener opener_;
   T far_, enter_;
   std::uint32_t link_;  ///< Of the next step.

@@ -17,9 +17,20 @@
 
 namespace sightline {
 
+namespace detail {
+template <class T>
+struct AnyViewUser {
+  template <class View>
+  requires requires { typename View::template Walk<T>; }
+  void operator()(const View&) const;
+};
+}  // namespace detail
+
+/// with_view(use) calls use with what has the `Walk` and `traverse`: one of several types, so that a structure that
+/// chooses between kinds of nodes does so once for all rays.
 template <class A, class T>
-concept Steppable = requires(const A& accel, const Ray<T>& ray) {
-  typename A::template Walk<T>;
+concept Steppable = requires(const A& accel) {
+  accel.with_view(detail::AnyViewUser<T>{});
 };
 
 /// Rays under way at a time: enough to cover a walk to memory with the steps of the others, few enough for their stacks
@@ -130,15 +141,18 @@ class Stream {
 /// hits[i] becomes what closest_hit finds for rays[i].
 template <class T, FetchingLeaves Leaves, Steppable<T> Accel>
 void closest_hits(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> rays, std::span<Hit<T>> hits) {
-  detail::Stream<ClosestQuery<T, Leaves>, T, Leaves, Accel>(accel, leaves, rays)
-      .run([&](std::size_t i, const auto& query) { hits[i] = query.best; });
+  accel.with_view([&]<class View>(const View& view) {
+    detail::Stream<ClosestQuery<T, Leaves>, T, Leaves, View>(view, leaves, rays)
+        .run([&](std::size_t i, const auto& query) { hits[i] = query.best; });
+  });
 }
 
 /// is_hit[i] becomes what any_hit finds for rays[i].
 template <class T, FetchingLeaves Leaves, Steppable<T> Accel>
 void any_hits(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit) {
-  detail::Stream<AnyQuery<T, Leaves>, T, Leaves, Accel>(accel, leaves, rays).run([&](std::size_t i, const auto& query) {
-    is_hit[i] = query.is_found;
+  accel.with_view([&]<class View>(const View& view) {
+    detail::Stream<AnyQuery<T, Leaves>, T, Leaves, View>(view, leaves, rays)
+        .run([&](std::size_t i, const auto& query) { is_hit[i] = query.is_found; });
   });
 }
 
