@@ -16,11 +16,13 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "sightline/accel/accelerator.h"
 #include "sightline/accel/bounds_reference.h"
 #include "sightline/accel/large_pages.h"
+#include "sightline/accel/options.h"
 #include "sightline/accel/primitives.h"
 #include "sightline/math/aabb.h"
 #include "sightline/math/rounding.h"
@@ -43,6 +45,19 @@ class ReferenceSplitter {
       : primitives_(primitives), whole_(references_of(primitives)) {
     const Aabb bounds = whole_of(whole_.part(0, whole_.size())).box();
     slack_ = whole_.empty() ? 0 : 0x1p-48 * max_norm(Vec3d(bounds.hi) - Vec3d(bounds.lo));
+  }
+
+  /// What part of the area of all boxes is around lines, from a sample.
+  double share_of_lines() const {
+    constexpr std::size_t sample_size = 4096;
+    const std::size_t step = 1 + whole_.size() / sample_size;
+    double lines = 0, all = 0;
+    for (std::size_t i = 0; i < whole_.size(); i += step) {
+      const double area = half_area(whole_[i].box);
+      all += area;
+      if (size_of(whole_[i]) > 0) lines += area;
+    }
+    return all > 0 ? lines / all : 0;
   }
 
   /// `most`: references, no fewer than primitives.
@@ -167,6 +182,17 @@ class ReferenceSplitter {
   LargeBuffer<BoundsReference> whole_;
   double slack_;
 };
+
+inline constexpr std::string_view reference_splits_help =
+    "most references added for long primitives, in percent of all; -1: 200 for scenes of lines at best, else 0";
+
+/// What the option `splits` means: so many percent, or, below 0, what pays at this quality: none but for scenes of
+/// lines at `best`.
+inline int splits_of(const Primitives& primitives, int splits, Quality quality) {
+  constexpr int of_lines = 200;
+  if (splits >= 0) return splits;
+  return quality == Quality::best && ReferenceSplitter(primitives).share_of_lines() > 0.5 ? of_lines : 0;
+}
 
 /// References to build with: one for each primitive and at most `percent` of their number more, `limit` together.
 inline LargeBuffer<BoundsReference> references_of(const Primitives& primitives, int percent,
