@@ -19,14 +19,14 @@ namespace sightline {
 struct UniformGridOptions {
   float density = 0.1f;  ///< Cells of the top level wanted for each primitive.
   int max_copies = 16;   ///< Leaves that hold a primitive, on average; cells that need more are not divided.
-  Quality quality = Quality::balanced;
+  Quality quality = Quality::balanced;  ///< `best` is as `balanced`: cells hold no more than meets them.
 
   static constexpr std::array<OptionField<UniformGridOptions>, 3> fields() {
     return {{{"density", &UniformGridOptions::density, 0x1p-10, 64, "cells of the top level wanted for each primitive"},
              {"max_copies", &UniformGridOptions::max_copies, 1, 1024,
               "most leaves that hold a primitive, on average; cells that need more are not divided"},
              {"quality", &UniformGridOptions::quality, 0, 2,
-              "fast: a cell holds what has bounds that meet it; else only what meets it itself"}}};
+              "fast: a cell holds what has bounds that meet it; balanced and best: what meets it itself"}}};
   }
 };
 
