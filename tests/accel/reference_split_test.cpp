@@ -29,6 +29,7 @@ class WithSplits : public Tree {
   using Options = SplitOptions;
 
   static WithSplits build(const Primitives& primitives, const Options& options) {
+    validate(Tree::name, options);
     typename Tree::Options others;
     others.splits = options.splits;
     return WithSplits(Tree::build(primitives, others));

@@ -23,32 +23,33 @@
 #include "sightline/accel/object_split.h"
 #include "sightline/accel/object_sweep.h"
 #include "sightline/accel/reference_split.h"
+#include "sightline/accel/reference_sweep.h"
 
 namespace sightline {
 
 /// Costs are relative to each other; a hierarchy of boxes opens a node at cost 1.
 template <BoundingVolume Volume>
 struct BoundingVolumeOptions {
+  Quality quality = Quality::balanced;       ///< `fast` weighs cuts along one axis only, `best` all there are.
   int max_leaf_size = 8;                     ///< More primitives than this are always divided.
   float traversal_cost = Volume::test_cost;  ///< Opening a node: testing the volumes of both children.
   float intersection_cost = 0.15f;           ///< One primitive test: those of a leaf are made together.
   int bins = 32;                             ///< On each axis, when many primitives are divided.
-  int splits = 0;  ///< References that long primitives may have beyond one each, in percent of all. Boxes only.
+  int splits = -1;  ///< References that long primitives may have beyond one each, in percent of all. Boxes only.
 
   static constexpr auto fields() {
     using O = BoundingVolumeOptions;
     using Field = OptionField<O>;
+    constexpr Field quality{"quality", &O::quality, 0, 2, object_quality_help};
     constexpr Field leaf{"max_leaf_size", &O::max_leaf_size, 1, 64, "most primitives in a leaf"};
     constexpr Field inner{"traversal_cost", &O::traversal_cost, 0, 1000, "cost of testing the volumes of two children"};
     constexpr Field test{"intersection_cost", &O::intersection_cost, 0.001, 1000, "cost of testing one primitive"};
-    constexpr Field bin{"bins", &O::bins, 2, max_split_bins,
-                        "intervals of each axis between which a large node is divided"};
-    constexpr Field split{"splits", &O::splits, 0, 1000,
-                          "most references added for long primitives, in percent of all"};
+    constexpr Field bin{"bins", &O::bins, 2, max_split_bins, object_bins_help};
+    constexpr Field split{"splits", &O::splits, -1, 1000, reference_splits_help};
     if constexpr (Volume::needs_points) {
-      return std::array{leaf, inner, test, bin};
+      return std::array{quality, leaf, inner, test, bin};
     } else {
-      return std::array{leaf, inner, test, bin, split};
+      return std::array{quality, leaf, inner, test, bin, split};
     }
   }
 };
@@ -184,23 +185,27 @@ class BoundingVolumeHierarchy<Volume>::Builder {
  public:
   Builder(const Primitives& primitives, const Options& options)
       : primitives_(primitives),
-        splits_(options.splits),
-        splitter_({options.traversal_cost, options.intersection_cost, options.max_leaf_size, options.bins}) {}
+        options_(options),
+        costs_{options.traversal_cost, options.intersection_cost, options.max_leaf_size, options.bins,
+               options.quality} {}
 
   void build(BoundingVolumeHierarchy& tree) {
-    LargeBuffer<BoundsReference> references = references_of(primitives_, Volume::needs_points ? 0 : splits_);
+    LargeBuffer<BoundsReference> references = references_of(
+        primitives_, Volume::needs_points ? 0 : splits_of(primitives_, options_.splits, options_.quality));
     const std::size_t count = references.size();
     if constexpr (Volume::needs_points) {
       points_per_item_ = most_points();
       points_.resize(count * points_per_item_);
     }
-    const ReferenceSet all = whole_of(references.part(0, count));
-    tree.bounds_ = all.box();
     tree.order_.resize(count);
     order_ = tree.order_;
-    Piece root;
-    grow_apart(all, root, 0, 0);
-    tree.nodes_ = joined(root);
+    if (costs_.quality == Quality::best) {
+      ReferenceSweep<Area> sweep(std::move(references), costs_);
+      grow_all(sweep, sweep.whole(), tree);
+    } else {
+      ObjectSplitter<Area> splitter(costs_);
+      grow_all(splitter, whole_of(references.part(0, count)), tree);
+    }
     if (count > primitives_.size()) merge_leaves(tree);
   }
 
@@ -234,20 +239,30 @@ class BoundingVolumeHierarchy<Volume>::Builder {
     std::size_t size = 0;  ///< Nodes of all.
   };
 
-  /// Makes the subtree of a set, whose leaves take the positions from `first` on, with as many threads as there are.
-  void grow_apart(const ReferenceSet& set, Piece& piece, std::uint32_t first, int depth) {
-    if (set.count() < task_size) {
-      grow(splitter_, set, piece.nodes, first, depth);
+  template <class Divider, class Part>
+  void grow_all(Divider& divider, const Part& all, BoundingVolumeHierarchy& tree) {
+    tree.bounds_ = all.box();
+    Piece root;
+    grow_apart(divider, all, root, 0, 0);
+    tree.nodes_ = joined(root);
+  }
+
+  /// Makes the subtree of a part, whose leaves take the positions from `first` on, with as many threads as there are.
+  template <class Divider, class Part>
+  void grow_apart(Divider& divider, const Part& part, Piece& piece, std::uint32_t first, int depth) {
+    if (part.count() < task_size) {
+      grow(divider, part, piece.nodes, first, depth);
       piece.size = piece.nodes.size();
       return;
     }
-    const auto halves = divide(splitter_, set, depth);
+    const auto halves = divide(divider, part, depth);
+    const std::uint32_t middle = first + halves->below.count();
     piece.below = std::make_unique<Piece>();
     piece.above = std::make_unique<Piece>();
-    tbb::parallel_invoke([&] { grow_apart(halves->below, *piece.below, first, depth + 1); },
-                         [&] { grow_apart(halves->above, *piece.above, first + halves->below.count(), depth + 1); });
+    tbb::parallel_invoke([&] { grow_apart(divider, halves->below, *piece.below, first, depth + 1); },
+                         [&] { grow_apart(divider, halves->above, *piece.above, middle, depth + 1); });
     piece.size = 1 + piece.below->size + piece.above->size;
-    piece.nodes.push_back({volume_of(set, first), static_cast<std::uint32_t>(1 + piece.below->size), 0});
+    piece.nodes.push_back({volume_of(part, first), static_cast<std::uint32_t>(1 + piece.below->size), 0});
   }
 
   static LargeBuffer<Node> joined(const Piece& root) {
@@ -281,8 +296,8 @@ class BoundingVolumeHierarchy<Volume>::Builder {
   template <class Divider, class Part>
   void grow(Divider& divider, const Part& part, Nodes& nodes, std::uint32_t first, int depth) {
     if constexpr (!std::is_same_v<Divider, Sweep>) {
-      if (part.count() <= Sweep::most) {
-        Sweep sweep(part.items, splitter_.costs());
+      if (part.count() <= Sweep::most && costs_.quality != Quality::fast) {
+        Sweep sweep(part.references(), costs_);
         return grow(sweep, sweep.whole(), nodes, first, depth);
       }
     }
@@ -328,8 +343,8 @@ class BoundingVolumeHierarchy<Volume>::Builder {
   }
 
   const Primitives& primitives_;
-  const int splits_;
-  ObjectSplitter<Area> splitter_;
+  const Options options_;
+  const ObjectSplitCosts costs_;
   /// Hulls in leaf order, the last point repeated to make them equally long: a subtree's points lie side by side.
   std::vector<Vec3f> points_;
   std::size_t points_per_item_ = 0;

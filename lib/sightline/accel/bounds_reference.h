@@ -20,8 +20,8 @@ namespace sightline {
 /// As large as a register, and copied as a whole.
 struct alignas(32) BoundsReference {
   Aabb box;
-  std::uint32_t id;
-  std::uint32_t unused = 0;
+  std::uint32_t id;          ///< Of the primitive.
+  std::uint32_t number = 0;  ///< For whoever divides them to tell references apart.
 };
 static_assert(sizeof(BoundsReference) == 32 && sizeof(Aabb) == 24);
 
@@ -150,6 +150,7 @@ struct ReferenceSet {
   std::uint32_t count() const { return static_cast<std::uint32_t>(items.size()); }
   Aabb box() const { return bounds.box.box(); }
   std::uint32_t id(std::uint32_t i) const { return items[i].id; }
+  std::span<const BoundsReference> references() const { return items; }
 };
 
 /// Sums over ranges that do not depend on the number of threads, so that neither does the sign of a zero.

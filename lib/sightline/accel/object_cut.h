@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "sightline/accel/bounds_reference.h"
+#include "sightline/accel/options.h"
 
 namespace sightline {
 
@@ -17,6 +18,12 @@ struct ObjectSplitCosts {
   double primitive;   ///< One primitive test.
   int max_leaf_size;
   int bins;
+  /// `fast` weighs cuts along one axis, and takes every set for a leaf that may be one.
+  Quality quality = Quality::balanced;
+
+  bool is_leaf_at_once(std::uint32_t count) const {
+    return quality == Quality::fast && count <= static_cast<std::uint32_t>(max_leaf_size);
+  }
 };
 
 /// The area of a box, as ScaledArea asks for it.
@@ -52,11 +59,52 @@ struct ObjectCut {
   int axis = 0;
   int place = 0;  ///< The first box of the second part; 0 where there is no way to cut.
 
+  void improve(const ObjectCut& other) {
+    if (other.cost < cost || (other.cost == cost && other.imbalance < imbalance)) *this = other;
+  }
   template <class Area>
   bool is_worse_than_leaf(std::uint32_t count, const ObjectSplitCosts& costs, const ScaledArea<Area>& area) const {
     if (count > static_cast<std::uint32_t>(costs.max_leaf_size)) return false;
     return costs.primitive * area.whole() * count <= costs.inner_node * area.whole() + costs.primitive * cost;
   }
+};
+
+/// At most `Most` boxes and their areas.
+template <class Area, std::size_t Most>
+class MeasuredBoxes {
+ public:
+  static constexpr std::size_t size = Most + 4;
+
+  GrowingBox& operator[](std::size_t i) { return boxes_[i]; }
+
+  /// From boxes to extents, four at once.
+  void measure(int end, float scale) {
+    constexpr hn::CappedTag<float, 4> d{};
+    const auto factor = hn::Set(d, -scale);
+    alignas(16) std::array<float, 16> extents;
+    for (int first = 0; first < end; first += 4) {
+      for (int i = 0; i < 4; ++i) {
+        const float* lows = boxes_[static_cast<std::size_t>(first + i)].lows();
+        for (std::size_t lane = 0; lane < 4; lane += hn::Lanes(d)) {
+          const auto sum = hn::Add(hn::LoadU(d, lows + lane), hn::LoadU(d, lows + 3 + lane));
+          hn::Store(hn::Mul(sum, factor), d, extents.data() + 4 * i + lane);
+        }
+      }
+      for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
+        auto along_x = hn::Zero(d), along_y = along_x, along_z = along_x, unused = along_x;
+        hn::LoadInterleaved4(d, extents.data() + 4 * i, along_x, along_y, along_z, unused);
+        hn::StoreU(along_x, d, x_.data() + first + i);
+        hn::StoreU(along_y, d, y_.data() + first + i);
+        hn::StoreU(along_z, d, z_.data() + first + i);
+      }
+    }
+  }
+  /// Of a measured box.
+  float area(std::size_t i) const { return Area()(x_[i], y_[i], z_[i]); }
+
+ private:
+  std::array<GrowingBox, size> boxes_;
+  std::array<float, size> x_, y_, z_;
 };
 
 /// Weighs all ways to cut a row of at most `Most` boxes.
@@ -84,8 +132,8 @@ class RowCutter {
     below_.counts[0] = 0;
     const auto all = static_cast<float>(total);
     for (int place = 0; place < size; ++place) above_.counts[place] = all - below_.counts[place];
-    below_.measure(size, area.scale());
-    above_.measure(size, area.scale());
+    below_.boxes.measure(size, area.scale());
+    above_.boxes.measure(size, area.scale());
 
     for (int place = 0; place < size; ++place) {
       const float cost = below_.cost(place) + above_.cost(place);
@@ -102,41 +150,17 @@ class RowCutter {
  private:
   /// The parts on one side of each place.
   struct Side {
-    static constexpr std::size_t size = Most + 4;
-    std::array<GrowingBox, size> boxes;
-    std::array<float, size> counts;  ///< Rounded above 2^24.
-    std::array<float, size> x, y, z;
+    MeasuredBoxes<Area, Most> boxes;
+    std::array<float, Most> counts;  ///< Rounded above 2^24.
 
-    /// From boxes to extents, four at once.
-    void measure(int end, float scale) {
-      constexpr hn::CappedTag<float, 4> d{};
-      const auto factor = hn::Set(d, -scale);
-      alignas(16) std::array<float, 16> extents;
-      for (int first = 0; first < end; first += 4) {
-        for (int i = 0; i < 4; ++i) {
-          const float* lows = boxes[static_cast<std::size_t>(first + i)].lows();
-          for (std::size_t lane = 0; lane < 4; lane += hn::Lanes(d)) {
-            const auto sum = hn::Add(hn::LoadU(d, lows + lane), hn::LoadU(d, lows + 3 + lane));
-            hn::Store(hn::Mul(sum, factor), d, extents.data() + 4 * i + lane);
-          }
-        }
-        for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
-          auto along_x = hn::Zero(d), along_y = along_x, along_z = along_x, unused = along_x;
-          hn::LoadInterleaved4(d, extents.data() + 4 * i, along_x, along_y, along_z, unused);
-          hn::StoreU(along_x, d, x.data() + first + i);
-          hn::StoreU(along_y, d, y.data() + first + i);
-          hn::StoreU(along_z, d, z.data() + first + i);
-        }
-      }
-    }
     float cost(int place) const {
       const auto i = static_cast<std::size_t>(place);
-      return Area()(x[i], y[i], z[i]) * counts[i];
+      return boxes.area(i) * counts[i];
     }
   };
 
   Side below_, above_;
-  std::array<float, Side::size> costs_;
+  std::array<float, Most> costs_;
 };
 
 }  // namespace sightline

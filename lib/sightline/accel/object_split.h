@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "sightline/accel/bounds_reference.h"
 #include "sightline/accel/object_cut.h"
@@ -19,6 +20,11 @@
 namespace sightline {
 
 inline constexpr int max_split_bins = 64;
+
+/// Of the options that structures divided so have in common.
+inline constexpr std::string_view object_quality_help = "fast: bins along the widest axis; best: every cut";
+inline constexpr std::string_view object_bins_help =
+    "intervals of each axis between which a large node is divided; best tries every cut instead";
 
 /// Divides references in place. See ScaledArea for `Area`.
 ///   S1  Both parts hold at least one reference; `median` parts differ by at most one.
@@ -34,18 +40,23 @@ class ObjectSplitter {
     assert(costs.bins >= 2 && costs.bins <= max_split_bins);
   }
 
-  const ObjectSplitCosts& costs() const { return costs_; }
-
-  /// Reorders the references of the set so that the parts stand side by side; none for a leaf.
+  /// Reorders the references of the set so that the parts stand side by side; none for a leaf. The quality `fast`
+  /// weighs cuts along the axis on which the centers spread most.
   std::optional<Halves> cheapest(const ReferenceSet& set) const {
-    if (set.count() < 2) return {};
+    if (set.count() < 2 || costs_.is_leaf_at_once(set.count())) return {};
+    const bool is_fast = costs_.quality == Quality::fast;
     const int bin_count = set.count() < many ? std::min(costs_.bins, few_bins) : costs_.bins;
     const Binning binning(set.bounds.centers, bin_count);
-    const Bins bins = fill(set.items, binning, bin_count);
+    const int widest = set.bounds.centers.longest_axis();
+    const Bins bins =
+        is_fast
+            ? fill(set.items, bin_count, widest, widest + 1,
+                   [&](const BoundsReference& item, Bins& to) { to.add_along(widest, item, binning); })
+            : fill(set.items, bin_count, 0, 3, [&](const BoundsReference& item, Bins& to) { to.add(item, binning); });
     const ScaledArea<Area> area(set.box());
     RowCutter<Area, max_split_bins> cutter;
     ObjectCut best;
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int axis = bins.first_axis; axis < bins.end_axis; ++axis) {
       cutter.cut(
           bin_count, [&](int i) -> const GrowingBox& { return bins.boxes[axis][i]; },
           [&](int i) { return bins.counts[axis][i]; }, area, axis, best);
@@ -105,6 +116,12 @@ class ObjectSplitter {
       return bins;
     }
 
+    /// Of one axis.
+    std::size_t along(int axis, const BoundsReference& item) const {
+      const float place = (ReferenceCenter::on(item, axis) - lowest_[axis]) * scale_[axis];
+      return static_cast<std::size_t>(std::min(place > 0 ? place : 0.0f, last_));
+    }
+
     /// Whether the bin on the axis is one before `place`, which is above 0.
     bool is_below(const BoundsReference& item, int axis, int place) const {
       const float at = (ReferenceCenter::on(item, axis) - lowest_[axis]) * scale_[axis];
@@ -118,12 +135,12 @@ class ObjectSplitter {
   };
 
   struct Bins {
-    int count;
+    int count, first_axis, end_axis;
     std::array<std::array<GrowingBox, max_split_bins>, 3> boxes;
     std::array<std::array<std::uint32_t, max_split_bins>, 3> counts;
 
-    explicit Bins(int bin_count) : count(bin_count) {
-      for (int axis = 0; axis < 3; ++axis) {
+    Bins(int bin_count, int first, int end) : count(bin_count), first_axis(first), end_axis(end) {
+      for (int axis = first_axis; axis < end_axis; ++axis) {
         std::fill_n(boxes[axis].begin(), count, GrowingBox::empty());
         std::fill_n(counts[axis].begin(), count, 0u);
       }
@@ -136,8 +153,13 @@ class ObjectSplitter {
         ++counts[axis][i];
       }
     }
+    void add_along(int axis, const BoundsReference& item, const Binning& binning) {
+      const std::size_t i = binning.along(axis, item);
+      boxes[axis][i].extend(item);
+      ++counts[axis][i];
+    }
     void extend(const Bins& other) {
-      for (int axis = 0; axis < 3; ++axis) {
+      for (int axis = first_axis; axis < end_axis; ++axis) {
         for (int i = 0; i < count; ++i) {
           boxes[axis][i].extend(other.boxes[axis][i]);
           counts[axis][i] += other.counts[axis][i];
@@ -146,21 +168,25 @@ class ObjectSplitter {
     }
   };
 
-  static Bins fill(std::span<const BoundsReference> items, const Binning& binning, int bin_count) {
-    const auto add = [&](std::size_t i, Bins& bins) { bins.add(items[i], binning); };
-    if (items.size() >= parallel_size) return reduce_references(items.size(), Bins(bin_count), add);
-    Bins bins(bin_count);
+  /// By add(item, bins).
+  template <class Add>
+  static Bins fill(std::span<const BoundsReference> items, int bin_count, int first_axis, int end_axis, Add&& add) {
+    const auto add_item = [&](std::size_t i, Bins& bins) { add(items[i], bins); };
+    if (items.size() >= parallel_size) {
+      return reduce_references(items.size(), Bins(bin_count, first_axis, end_axis), add_item);
+    }
+    Bins bins(bin_count, first_axis, end_axis);
     std::size_t i = 0;
     if (items.size() >= many) {
       // Neighbours often fall into one bin; two sets of bins need not wait for each other.
-      Bins odd(bin_count);
+      Bins odd(bin_count, first_axis, end_axis);
       for (; i + 1 < items.size(); i += 2) {
-        add(i, bins);
-        add(i + 1, odd);
+        add_item(i, bins);
+        add_item(i + 1, odd);
       }
       bins.extend(odd);
     }
-    for (; i < items.size(); ++i) add(i, bins);
+    for (; i < items.size(); ++i) add_item(i, bins);
     return bins;
   }
 

@@ -116,6 +116,7 @@ class TreeCollapse {
   }
 
   int most_roots(std::uint32_t node) const {
+    if (tree_.is_leaf(node)) return 1;
     return static_cast<int>(std::min(tree_[node].count, static_cast<std::uint32_t>(Width)));
   }
 

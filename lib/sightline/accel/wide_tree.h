@@ -18,20 +18,22 @@
 namespace sightline {
 
 struct WideTreeOptions {
-  int max_leaf_size = 8;        ///< Leaves are tested whole: eight triangles cost hardly more than one.
-  float traversal_cost = 1;     ///< Opening a node: testing the boxes of eight children at once.
-  float intersection_cost = 1;  ///< Testing a leaf.
-  int bins = 32;                ///< On each axis, when many primitives are divided.
-  int splits = 0;               ///< References that long primitives may have beyond one each, in percent of all.
-  bool compressed = false;      ///< Nodes of half the size, whose boxes are a little larger (wide_tree_compressed.h).
+  Quality quality = Quality::balanced;  ///< `fast` weighs cuts along one axis only, `best` all there are.
+  int max_leaf_size = 8;                ///< Leaves are tested whole: eight triangles cost hardly more than one.
+  float traversal_cost = 1;             ///< Opening a node: testing the boxes of eight children at once.
+  float intersection_cost = 1;          ///< Testing a leaf.
+  int bins = 32;                        ///< On each axis, when many primitives are divided.
+  int splits = -1;          ///< References that long primitives may have beyond one each, in percent of all.
+  bool compressed = false;  ///< Nodes of half the size, whose boxes are a little larger (wide_tree_compressed.h).
 
-  static constexpr std::array<OptionField<WideTreeOptions>, 6> fields() {
+  static constexpr std::array<OptionField<WideTreeOptions>, 7> fields() {
     using O = WideTreeOptions;
-    return {{{"max_leaf_size", &O::max_leaf_size, 1, 8, "most primitives in a leaf"},
+    return {{{"quality", &O::quality, 0, 2, object_quality_help},
+             {"max_leaf_size", &O::max_leaf_size, 1, 8, "most primitives in a leaf"},
              {"traversal_cost", &O::traversal_cost, 0, 1000, "cost of testing the boxes of eight children"},
              {"intersection_cost", &O::intersection_cost, 0.001, 1000, "cost of testing a leaf"},
-             {"bins", &O::bins, 2, max_split_bins, "intervals of each axis between which a large node is divided"},
-             {"splits", &O::splits, 0, 1000, "most references added for long primitives, in percent of all"},
+             {"bins", &O::bins, 2, max_split_bins, object_bins_help},
+             {"splits", &O::splits, -1, 1000, reference_splits_help},
              {"compressed", &O::compressed, 0, 1, "nodes of half the size, whose boxes are a little larger"}}};
   }
 };
@@ -126,7 +128,9 @@ inline WideTree WideTree::build(const Primitives& primitives, const Options& opt
   validate(name, options);
   if (primitives.size() > Link::limit) throw std::length_error("wide-tree: more than 2^28 primitives");
   WideTree tree;
-  BinaryTree binary(references_of(primitives, options.splits, Link::limit), options.bins);
+  const int splits = splits_of(primitives, options.splits, options.quality);
+  BinaryTree binary(references_of(primitives, splits, Link::limit), options.quality, options.bins,
+                    options.max_leaf_size);
   if (binary.is_empty()) return tree;
   tree.bounds_ = binary[0].box;
   const TreeCollapse<Node::width> collapse(binary,
