@@ -21,7 +21,7 @@ std::unique_ptr<Tracer> make_in_slices(std::string_view accelerator, const std::
 
 template <class A>
 AcceleratorInfo info_of() {
-  AcceleratorInfo info{A::name, A::description, A::node_bytes, {}};
+  AcceleratorInfo info{A::name, A::description, A::node_bytes, Steppable<A, float>, {}};
   const typename A::Options defaults;
   for (const auto& field : A::Options::fields()) {
     const std::string value = std::visit(

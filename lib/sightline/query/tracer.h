@@ -98,6 +98,7 @@ struct AcceleratorInfo {
   std::string_view name;
   std::string_view description;
   std::size_t node_bytes;
+  bool can_stream;  ///< Many float rays are under way side by side (stream.h).
   std::vector<Option> options;
 };
 
