@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "sightline/query/level.h"
 
 namespace sightline::bench {
@@ -8,6 +11,22 @@ namespace sightline::bench {
 struct Asking {
   Level level = Level::watertight;
   bool is_stream = false;  ///< All rays at hand together, instead of one after the other.
+
+  friend bool operator==(const Asking&, const Asking&) = default;
 };
+
+inline std::string_view name_of(Level level) {
+  for (const LevelInfo& info : level_infos) {
+    if (info.level == level) return info.name;
+  }
+  return {};
+}
+
+/// What a report calls `label` asked like that: "kd-tree" at the default level, one ray after the other, and
+/// "kd-tree fast stream" otherwise.
+inline std::string name_of(const std::string& label, const Asking& asking) {
+  const std::string level = asking.level == Level::watertight ? "" : ' ' + std::string(name_of(asking.level));
+  return label + level + (asking.is_stream ? " stream" : "");
+}
 
 }  // namespace sightline::bench

@@ -7,6 +7,8 @@
 #include "bench/growth.h"
 #include "bench/help.h"
 #include "bench/peers/peers.h"
+#include "bench/stage.h"
+#include "bench/text_table.h"
 
 namespace sightline::bench {
 namespace {
@@ -24,10 +26,39 @@ void set_quality(AcceleratorSpec& spec, const std::string& quality) {
   }
 }
 
-std::vector<std::string> level_names() {
-  std::vector<std::string> names;
-  for (const LevelInfo& info : level_infos) names.emplace_back(info.name);
-  return names;
+/// The strictest first, whatever their order was.
+std::vector<Level> parse_levels(const std::vector<std::string>& names) {
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (std::none_of(level_infos.begin(), level_infos.end(), [&](const auto& info) { return info.name == *name; })) {
+      throw UsageError("unknown level '" + *name + "'; expected fast, watertight, or fast,watertight for both");
+    }
+    if (std::find(names.begin(), name, *name) != name) throw UsageError("--level names " + *name + " twice");
+  }
+  std::vector<Level> levels;
+  for (const Level level : {Level::watertight, Level::fast}) {
+    if (std::find(names.begin(), names.end(), name_of(level)) != names.end()) levels.push_back(level);
+  }
+  return levels;
+}
+
+/// \throws UsageError where a run asks for what none of its contenders does.
+void check_contenders(const Plan& plan) {
+  std::vector<std::string> names, streams;
+  for (const AcceleratorSpec& spec : plan.structures) {
+    for (const Asking& asking : askings_of(plan, spec)) names.push_back(name_of(spec.label, asking));
+  }
+  if (plan.is_stream) {
+    const auto is_stream = [](const std::string& name) { return name.ends_with(name_of("", {.is_stream = true})); };
+    for (const AcceleratorInfo& info : accelerator_infos()) {
+      if (info.can_stream) streams.emplace_back(info.name);
+    }
+    if (std::none_of(names.begin(), names.end(), is_stream)) {
+      throw UsageError("--stream: no structure of this run takes many rays at once; these do: " + joined(streams));
+    }
+  }
+  if (!plan.spoiled.empty() && std::find(names.begin(), names.end(), plan.spoiled) == names.end()) {
+    throw UsageError("--self-check " + plan.spoiled + ": not in this run; expected one of " + joined(names));
+  }
 }
 
 /// \throws std::invalid_argument
@@ -139,10 +170,10 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   Plan& plan = line.plan;
   CLI::App app{std::string(introduction()), "sightline-bench"};
   app.get_formatter()->column_width(30);
-  std::vector<std::string> accelerators, settings, workloads, peers;
+  std::vector<std::string> accelerators, settings, workloads, peers, levels;
   std::size_t growth_limit = plan.growth_limit;
   bool is_quick = false, is_list = false;
-  std::string quality, level;
+  std::string quality;
   std::size_t rays = plan.rays;
   int rounds = plan.rounds;
   std::string data_dir = SIGHTLINE_DATA_DIR;
@@ -158,10 +189,11 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   app.add_option("--quality", quality, "Of every structure that has a choice: fast, balanced or best (balanced)")
       ->type_name("QUALITY")
       ->check(CLI::IsMember(std::vector<std::string>(quality_names.begin(), quality_names.end())).description(""));
-  app.add_option("--level", level, "How accurate our queries are: fast or watertight (watertight)")
-      ->type_name("LEVEL")
-      ->check(CLI::IsMember(level_names()).description(""));
-  app.add_flag("--stream", plan.asking.is_stream, "Hands all rays over together, instead of one by one");
+  app.add_option("--level", levels, "How accurate our queries are: fast, watertight, or both side by side (watertight)")
+      ->type_name("LEVELS")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_flag("--stream", plan.is_stream, "Beside single rays, hands all over together, where a structure can");
   app.add_option("--workload", workloads, "Some of build,primary,bounce,shadow (all)")
       ->type_name("NAMES")
       ->delimiter(',')
@@ -229,9 +261,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   }
   if (rounds_option->count() > 0) plan.rounds = rounds;
   plan.data_dir = data_dir;
-  for (const LevelInfo& info : level_infos) {
-    if (info.name == level) plan.asking.level = info.level;
-  }
+  if (!levels.empty()) plan.levels = parse_levels(levels);
   if (!peers.empty()) plan.peers = parse_peers(peers);
   if (!workloads.empty()) plan.workloads = parse_workloads(workloads);
   if (accelerators.empty()) {
@@ -242,11 +272,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
-  const auto is_spoiled = [&](const AcceleratorSpec& choice) { return choice.label == plan.spoiled; };
   if (!plan.growth.empty() && !line.google_flags.empty()) throw UsageError("--growth takes no flags after --");
-  if (!plan.spoiled.empty() && std::none_of(plan.structures.begin(), plan.structures.end(), is_spoiled)) {
-    throw UsageError("--self-check " + plan.spoiled + ": no such structure in this run");
-  }
+  check_contenders(plan);
   return line;
 }
 

@@ -10,7 +10,8 @@ namespace {
 
 class BuiltStructure final : public Built {
  public:
-  BuiltStructure(std::unique_ptr<Tracer> tracer, const Asking& asking) : tracer_(std::move(tracer)), asking_(asking) {}
+  BuiltStructure(std::shared_ptr<const Tracer> tracer, const Asking& asking)
+      : tracer_(std::move(tracer)), asking_(asking) {}
 
   void closest_hits(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const override {
     if (asking_.is_stream) return tracer_->stream_closest_hits(rays, hits, asking_.level);
@@ -21,6 +22,10 @@ class BuiltStructure final : public Built {
     tracer_->any_hits(rays, is_hit, asking_.level);
   }
   Bytes bytes() const override { return {tracer_->structure_bytes(), tracer_->leaf_bytes()}; }
+  Level level() const override { return tracer_->is_lazy() ? Level::watertight : asking_.level; }
+  std::unique_ptr<Built> asked(const Asking& asking) const override {
+    return std::make_unique<BuiltStructure>(tracer_, asking);
+  }
 
   std::optional<TraversalStats> count_closest(std::span<const Ray<float>> rays,
                                               std::span<Hit<float>> hits) const override {
@@ -36,7 +41,7 @@ class BuiltStructure final : public Built {
   }
 
  private:
-  std::unique_ptr<Tracer> tracer_;
+  std::shared_ptr<const Tracer> tracer_;
   Asking asking_;
 };
 
@@ -44,9 +49,10 @@ class Structure final : public Contender {
  public:
   Structure(AcceleratorSpec spec, const Asking& asking) : spec_(std::move(spec)), asking_(asking) {}
 
-  std::string name() const override { return spec_.label; }
+  std::string name() const override { return name_of(spec_.label, asking_); }
   Kind kind() const override { return Kind::ours; }
   const AcceleratorSpec* spec() const override { return &spec_; }
+  const Asking* asking() const override { return &asking_; }
   double tests_per_ray(std::size_t triangles) const override {
     return spec_.accelerator == oracle_name ? static_cast<double>(triangles) : 0;
   }
@@ -73,6 +79,8 @@ class BuiltSpoiled final : public Built {
     if (!is_hit.empty()) is_hit[0] = !is_hit[0];
   }
   Bytes bytes() const override { return sound_->bytes(); }
+  Level level() const override { return sound_->level(); }
+  std::unique_ptr<Built> asked(const Asking& asking) const override { return sound_->asked(asking); }
 
  private:
   std::unique_ptr<Built> sound_;
@@ -85,9 +93,13 @@ class Spoiled final : public Contender {
   std::string name() const override { return sound_->name(); }
   Kind kind() const override { return sound_->kind(); }
   const AcceleratorSpec* spec() const override { return sound_->spec(); }
+  const Asking* asking() const override { return sound_->asking(); }
   double tests_per_ray(std::size_t triangles) const override { return sound_->tests_per_ray(triangles); }
   std::unique_ptr<Built> build(const std::shared_ptr<const TriangleMesh>& mesh) const override {
     return std::make_unique<BuiltSpoiled>(sound_->build(mesh));
+  }
+  std::unique_ptr<Built> share(const Built& built) const override {
+    return std::make_unique<BuiltSpoiled>(sound_->share(built));
   }
 
  private:

@@ -29,6 +29,11 @@ class Built {
   virtual void any_hits(std::span<const Ray<float>> rays, std::span<std::uint8_t> is_hit) const = 0;
   virtual Bytes bytes() const = 0;
 
+  /// How accurate the hits of ours are: those of a lazy structure are watertight whatever was asked for.
+  virtual Level level() const { return Level::watertight; }
+  /// The same structure, not copied, asked otherwise; null of a peer.
+  virtual std::unique_ptr<Built> asked(const Asking&) const { return nullptr; }
+
   /// The same queries with the work counted; nothing from a peer that does not count.
   virtual std::optional<TraversalStats> count_closest(std::span<const Ray<float>>, std::span<Hit<float>>) const {
     return std::nullopt;
@@ -47,10 +52,14 @@ class Contender {
   virtual Kind kind() const = 0;
   /// What was asked for, of ours; null of a peer.
   virtual const AcceleratorSpec* spec() const { return nullptr; }
+  /// How; null of a peer.
+  virtual const Asking* asking() const { return nullptr; }
   /// Of one that is too slow to be asked all rays: about how many tests of a triangle take as long as one ray does. It
   /// is asked as many rays, picked at random, as Plan::few_tests allows. Else 0.
   virtual double tests_per_ray([[maybe_unused]] std::size_t triangles) const { return 0; }
   virtual std::unique_ptr<Built> build(const std::shared_ptr<const TriangleMesh>& mesh) const = 0;
+  /// What build() would give, out of what another of ours with the same spec has built.
+  virtual std::unique_ptr<Built> share(const Built& built) const { return built.asked(*asking()); }
 };
 
 inline constexpr std::string_view oracle_name = "brute-force";

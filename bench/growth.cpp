@@ -54,7 +54,7 @@ std::vector<GrowthLine> growth_of(std::span<const SceneReport> scenes) {
   std::vector<GrowthLine> lines;
   if (scenes.empty()) return lines;
   for (const ContenderReport& first : scenes.front().contenders) {
-    GrowthLine line{first.name, {}, 0};
+    GrowthLine line{first.name, first.built_as.has_value(), {}, 0};
     for (const SceneReport& scene : scenes) {
       if (line.left_out_from == 0 && !find(scene, first.name)) line.left_out_from = scene.triangles;
     }
@@ -119,6 +119,7 @@ std::string growth_text(std::span<const SceneReport> scenes, const Plan& plan) {
     }
     table.add_column("", "exponent");
     for (const GrowthLine& line : lines) {
+      if (line.is_shared && is_build) continue;
       std::vector<std::string> row{line.name};
       for (const SceneReport& scene : scenes) {
         const ContenderReport* contender = find(scene, line.name);

@@ -26,6 +26,7 @@ std::vector<std::string> growth_scenes(std::string_view family, std::size_t limi
 
 struct GrowthLine {
   std::string name;
+  bool is_shared = false;  ///< Its structure is that of a line above: so is its build.
   /// By Workload: of seconds to build, or seconds a ray, against the number of triangles, over all sizes measured.
   std::array<std::optional<PowerFit>, workload_count> fit;
   std::size_t left_out_from = 0;  ///< Triangles from which on it was not built, because that takes too long; else 0.

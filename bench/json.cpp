@@ -1,10 +1,9 @@
 #include "bench/json.h"
 
-#include <algorithm>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "bench/prices.h"
 #include "bench/summary.h"
 
 namespace sightline::bench {
@@ -49,9 +48,9 @@ Json json_of(const Machine& machine) {
 Json json_of(const Plan& plan) {
   Json workloads = Json::array();
   for (const Workload w : plan.workloads) workloads.push_back(workload_infos[index_of(w)].name);
-  const auto level = std::find_if(level_infos.begin(), level_infos.end(),
-                                  [&](const LevelInfo& info) { return info.level == plan.asking.level; });
-  return {{"level", level->name},   {"stream", plan.asking.is_stream},  {"rays", plan.rays},
+  Json levels = Json::array();
+  for (const Level level : plan.levels) levels.push_back(name_of(level));
+  return {{"levels", levels},       {"stream", plan.is_stream},         {"rays", plan.rays},
           {"rounds", plan.rounds},  {"build_threads", plan.threads},    {"peers", plan.peers},
           {"workloads", workloads}, {"slot_seconds", plan.slot_seconds}};
 }
@@ -85,6 +84,8 @@ Json json_of(const ContenderReport& contender, std::size_t triangles) {
   const bool is_peer = contender.kind == Contender::Kind::peer;
   Json json{{"name", contender.name}, {"kind", is_peer ? "peer" : "ours"}};
   json["accelerator"] = is_peer ? Json(nullptr) : Json(contender.accelerator);
+  json["level"] = is_peer ? Json(nullptr) : Json(name_of(contender.level));
+  json["stream"] = contender.asking ? Json(contender.asking->is_stream) : Json(nullptr);
   json["options"] = Json::object();
   for (const auto& [name, value] : contender.options) json["options"][name] = value;
   json["lazy"] = contender.is_lazy();
@@ -107,6 +108,19 @@ Json json_of(const ContenderReport& contender, std::size_t triangles) {
     const auto& own = contender.at[index_of(info.workload)];
     if (own && info.workload != Workload::build)
       json["workloads"][std::string(info.name)] = traced_json(contender, *own);
+  }
+  return json;
+}
+
+Json prices_json(std::span<const SceneReport> scenes) {
+  Json json = Json::array();
+  for (const Price& price : prices_of(scenes)) {
+    Json entry{{"name", price.name}, {"over", price.over}, {"time_ratio", Json::object()}};
+    for (const WorkloadInfo& info : workload_infos) {
+      const auto& ratio = price.ratio[index_of(info.workload)];
+      if (ratio) entry["time_ratio"][std::string(info.name)] = json_of(ratio);
+    }
+    json.push_back(std::move(entry));
   }
   return json;
 }
@@ -148,7 +162,7 @@ Json growth_json(const Plan& plan, std::span<const GrowthLine> lines) {
 }  // namespace
 
 std::string json_text(const Report& report, std::span<const GrowthLine> growth) {
-  Json json{{"schema", "sightline-bench 1"}, {"date", report.machine.date}};
+  Json json{{"schema", "sightline-bench 2"}, {"date", report.machine.date}};
   json["machine"] = json_of(report.machine);
   json["plan"] = json_of(report.plan);
   json["scenes"] = Json::array();
@@ -159,9 +173,11 @@ std::string json_text(const Report& report, std::span<const GrowthLine> growth) 
     for (const ContenderReport& contender : scene.contenders) {
       entry["contenders"].push_back(json_of(contender, scene.triangles));
     }
+    entry["prices"] = prices_json(std::span(&scene, 1));
     json["scenes"].push_back(entry);
   }
   json["summary"] = growth.empty() && report.scenes.size() > 1 ? summary_json(report.scenes) : Json(nullptr);
+  json["prices"] = growth.empty() && report.scenes.size() > 1 ? prices_json(report.scenes) : Json(nullptr);
   json["growth"] = growth.empty() ? Json(nullptr) : growth_json(report.plan, growth);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

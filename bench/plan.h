@@ -31,7 +31,8 @@ inline constexpr std::size_t index_of(Workload workload) { return static_cast<st
 struct Plan {
   std::vector<std::string> scenes;
   std::vector<AcceleratorSpec> structures;                    ///< Under the labels that the report gives them.
-  Asking asking;                                              ///< Of all structures.
+  std::vector<Level> levels{Level::watertight};               ///< Of all structures, each once, the strictest first.
+  bool is_stream = false;                                     ///< Those that can are asked in streams as well.
   std::vector<std::string> peers{"embree", "embree-robust"};  ///< Names of this build's peers, each once.
   std::vector<Workload> workloads{Workload::build, Workload::primary, Workload::bounce, Workload::shadow};
   std::size_t rays = 100'000;        ///< Of each workload.
@@ -39,7 +40,7 @@ struct Plan {
   int rounds = 9;
   int threads = 0;  ///< To build with; 0 for as many as there are.
   std::filesystem::path data_dir;
-  std::string spoiled;  ///< Label of a structure whose hits are made wrong on purpose; usually empty.
+  std::string spoiled;  ///< Name of a contender of ours whose hits are made wrong on purpose; usually empty.
 
   /// A contender runs its rays as often as fills this in a round, so that the clock's grain does not count.
   double slot_seconds = 0.05;

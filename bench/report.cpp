@@ -32,6 +32,8 @@ void summarize(SceneReport& scene) {
       own.ratio = std::nullopt;
       if (reference && reference->at[w]) own.ratio = estimate_of_present(paired_ratios(own, *reference->at[w]));
     }
+    constexpr std::size_t build = index_of(Workload::build);
+    if (contender.built_as) contender.at[build] = scene.contenders[*contender.built_as].at[build];
   }
 }
 

@@ -45,6 +45,9 @@ struct ContenderReport {
   bool is_asked_fewer = false;                  ///< Rays than there are, picked at random, because it is slow.
   std::string accelerator;                      ///< Of ours: the registry's name.
   std::vector<TracerSettings::Option> options;  ///< Of ours: those that were set.
+  std::optional<Asking> asking;                 ///< Of ours: as asked for.
+  Level level = Level::watertight;              ///< Of ours: as answered.
+  std::optional<std::size_t> built_as;          ///< The earlier contender of the scene whose structure it asks.
   Built::Bytes bytes;                           ///< After all rays were traced once.
   std::size_t bytes_when_built = 0;
   std::array<std::optional<Measurement>, workload_count> at;  ///< By Workload; none where not asked for.
@@ -73,7 +76,7 @@ std::vector<double> paired_ratios(const Measurement& own, const Measurement& ref
 const ContenderReport* reference_of(const SceneReport& scene);
 
 /// Fills `seconds` and `ratio` in from `round_seconds`. A ratio is the median of the ratios of the rounds in which both
-/// took part, so that what slows the machine down for a while slows both.
+/// took part, so that what slows the machine down for a while slows both. Whoever shares a structure shares its build.
 void summarize(SceneReport& scene);
 
 }  // namespace sightline::bench

@@ -6,7 +6,6 @@
 #include <ctime>
 #include <utility>
 
-#include "bench/checks.h"
 #include "bench/peers/peers.h"
 
 namespace sightline::bench {
@@ -41,6 +40,11 @@ void schedule(Measurement& own, double pass_seconds, double slot, double budget,
   own.round_seconds.assign(static_cast<std::size_t>(rounds), std::numeric_limits<double>::quiet_NaN());
 }
 
+/// How many rays may be asked where a ray takes so many tests.
+std::size_t affordable(double tests, double tests_per_ray) {
+  return static_cast<std::size_t>(std::max(16.0, tests / std::max(1.0, tests_per_ray)));
+}
+
 /// The registry's first structure that divides anything; all of ours are compared with it.
 std::string_view reference_name() {
   for (const AcceleratorInfo& info : accelerator_infos()) {
@@ -49,15 +53,32 @@ std::string_view reference_name() {
   return oracle_name;
 }
 
+bool can_stream(const AcceleratorSpec& spec) {
+  const auto infos = accelerator_infos();
+  return std::any_of(infos.begin(), infos.end(),
+                     [&](const AcceleratorInfo& info) { return info.name == spec.accelerator && info.can_stream; });
+}
+
 }  // namespace
+
+std::vector<Asking> askings_of(const Plan& plan, const AcceleratorSpec& spec) {
+  std::vector<Asking> askings;
+  for (const Level level : plan.levels) {
+    askings.push_back({level, false});
+    if (plan.is_stream && can_stream(spec)) askings.push_back({level, true});
+  }
+  return askings;
+}
 
 Contenders make_contenders(const Plan& plan) {
   Contenders contenders;
   for (const AcceleratorSpec& choice : plan.structures) {
     AcceleratorSpec spec = choice;
     spec.settings.threads = plan.threads;
-    contenders.push_back(make_structure(std::move(spec), plan.asking));
-    if (choice.label == plan.spoiled) contenders.back() = spoil(std::move(contenders.back()));
+    for (const Asking& asking : askings_of(plan, spec)) {
+      contenders.push_back(make_structure(spec, asking));
+      if (contenders.back()->name() == plan.spoiled) contenders.back() = spoil(std::move(contenders.back()));
+    }
   }
   for (const PeerInfo& info : peer_infos()) {
     if (std::find(plan.peers.begin(), plan.peers.end(), info.name) == plan.peers.end()) continue;
@@ -77,14 +98,11 @@ Stage::Stage(const Plan& plan, const std::string& scene, std::shared_ptr<const T
   progress.say(report_.name + ": making rays");
   TracerSettings settings;
   settings.threads = plan_.threads;
-  // One by one, whatever is measured; rays are the same at every level.
-  const auto build = [&](std::string_view name, Level level) {
-    return make_structure({"", std::string(name), settings}, {level, false})->build(mesh_);
+  const auto build = [&](std::string_view name) {
+    return make_structure({"", std::string(name), settings})->build(mesh_);
   };
-  auto reference = build(reference_name(), Level::watertight);
+  const auto reference = build(reference_name()), oracle = build(oracle_name);
   rays_ = make_rays(*mesh_, plan_.rays_of(scene), [&](auto rays, auto hits) { reference->closest_hits(rays, hits); });
-  if (plan_.asking.level != Level::watertight) reference = build(reference_name(), plan_.asking.level);
-  const auto oracle = build(oracle_name, plan_.asking.level);
   std::size_t most = 0;
   for (const auto& rays : rays_) most = std::max(most, rays.size());
   hits_.resize(most);
@@ -108,71 +126,99 @@ Stage::Stage(const Plan& plan, const std::string& scene, std::shared_ptr<const T
 void Stage::build_all(Progress& progress) {
   for (std::size_t c = 0; c < contenders_.size(); ++c) {
     const Contender& contender = *contenders_[c];
-    progress.say(report_.name + ": building " + contender.name());
-    const double seconds = elapsed_by([&] { built_.push_back(contender.build(mesh_)); }).real;
-    first_build_seconds_.push_back(seconds);
     ContenderReport report;
+    report.built_as = built_as(c);
+    if (report.built_as) {
+      built_.push_back(contender.share(*built_[*report.built_as]));
+      first_build_seconds_.push_back(first_build_seconds_[*report.built_as]);
+    } else {
+      progress.say(report_.name + ": building " + contender.name());
+      first_build_seconds_.push_back(elapsed_by([&] { built_.push_back(contender.build(mesh_)); }).real);
+    }
     report.name = contender.name();
     report.kind = contender.kind();
     report.is_asked_fewer = is_asked_fewer(c);
     if (const AcceleratorSpec* spec = contender.spec()) {
       report.accelerator = spec->accelerator;
       report.options = spec->settings.options;
+      report.asking = *contender.asking();
+      report.level = built_[c]->level();
     }
     report.bytes_when_built = built_[c]->bytes().total();
     if (plan_.has(Workload::build)) {
       Measurement& own = report.at[index_of(Workload::build)].emplace();
       own.rays = 1;
-      own.first_pass_seconds = seconds;
-      schedule(own, seconds, plan_.slot_seconds, plan_.build_seconds, plan_.rounds, 1);
+      own.first_pass_seconds = first_build_seconds_[c];
+      schedule(own, first_build_seconds_[c], plan_.slot_seconds, plan_.build_seconds, plan_.rounds, 1);
+      if (report.built_as) own.rounds = 0;
     }
     report_.contenders.push_back(std::move(report));
   }
 }
 
+std::optional<std::size_t> Stage::built_as(std::size_t c) const {
+  const AcceleratorSpec* spec = contenders_[c]->spec();
+  for (std::size_t earlier = 0; spec && earlier < c; ++earlier) {
+    const AcceleratorSpec* other = contenders_[earlier]->spec();
+    if (other && other->label == spec->label) return earlier;
+  }
+  return std::nullopt;
+}
+
 template <class Answer>
 void Stage::verify(Workload workload, const Built& reference, const Built& oracle, Progress& progress) {
   const std::size_t w = index_of(workload);
-  const std::span<const Ray<float>> rays = rays_[w];
-  const auto affordable = [](double tests, double tests_per_ray) {
-    return static_cast<std::size_t>(std::max(16.0, tests / std::max(1.0, tests_per_ray)));
-  };
-
-  const std::string place = report_.name + ' ' + std::string(workload_infos[w].name);
-  progress.say("verifying " + place + ": " + std::string(oracle_name));
-  const std::vector<std::size_t> sample = pick(rays.size(), affordable(plan_.oracle_tests, mesh_->size()));
+  const std::vector<std::size_t> sample = pick(rays_[w].size(), affordable(plan_.oracle_tests, mesh_->size()));
   report_.sampled_rays = std::max(report_.sampled_rays, sample.size());
-  const Checks<Answer> checks(place, *mesh_, rays, reference, oracle, sample);
+  const std::string place = report_.name + ' ' + std::string(workload_infos[w].name);
+  bool is_strictest = true;  // what peers are held against
+  for (const Level level : {Level::watertight, Level::fast}) {
+    std::vector<std::size_t> held;
+    for (std::size_t c = 0; c < contenders_.size(); ++c) {
+      if (report_.contenders[c].asking && report_.contenders[c].level == level) held.push_back(c);
+    }
+    if (held.empty()) continue;
+    for (std::size_t c = 0; is_strictest && c < contenders_.size(); ++c) {
+      if (!report_.contenders[c].asking) held.push_back(c);
+    }
+    is_strictest = false;
+    progress.say("verifying " + place + ": " + name_of(std::string(oracle_name), {level}));
+    const auto own_reference = reference.asked({level}), own_oracle = oracle.asked({level});
+    const Checks<Answer> checks(place, *mesh_, rays_[w], *own_reference, *own_oracle, sample);
+    for (const std::size_t c : held) {
+      progress.say("verifying " + place + ": " + contenders_[c]->name());
+      verify_one(c, workload, checks);
+    }
+  }
+}
 
-  std::vector<Answer> answers, counted_answers;
-  for (std::size_t c = 0; c < contenders_.size(); ++c) {
-    const Contender& contender = *contenders_[c];
-    progress.say("verifying " + place + ": " + contender.name());
-    Measurement& own = report_.contenders[c].at[w].emplace();
-    std::vector<std::size_t> few;
-    if (is_asked_fewer(c)) few = pick(rays.size(), affordable(plan_.few_tests, contender.tests_per_ray(mesh_->size())));
-    for (const std::size_t i : few) few_rays_[c][w].push_back(rays[i]);
-    const std::span<const Ray<float>> own_rays = rays_of(c, workload);
-    own.rays = own_rays.size();
-    own.hit_share = checks.hit_share();
+template <class Answer>
+void Stage::verify_one(std::size_t c, Workload workload, const Checks<Answer>& checks) {
+  const Contender& contender = *contenders_[c];
+  const std::vector<Ray<float>>& rays = rays_[index_of(workload)];
+  Measurement& own = report_.contenders[c].at[index_of(workload)].emplace();
+  std::vector<std::size_t> few;
+  if (is_asked_fewer(c)) few = pick(rays.size(), affordable(plan_.few_tests, contender.tests_per_ray(mesh_->size())));
+  for (const std::size_t i : few) few_rays_[c][index_of(workload)].push_back(rays[i]);
+  const std::span<const Ray<float>> own_rays = rays_of(c, workload);
+  own.rays = own_rays.size();
+  own.hit_share = checks.hit_share();
+  std::vector<Answer> answers(own_rays.size());
+  const Elapsed first = elapsed_by([&] { ask(*built_[c], own_rays, std::span<Answer>(answers)); });
+  own.first_pass_seconds = own.next_pass_seconds = first.real;
+  double pass_seconds = first.own;
+  if (contender.kind() == Contender::Kind::peer) {
+    own.disagreeing_rays = checks.disagreeing(answers, few);
+  } else {
+    checks.require_right(contender.name(), answers, few);
     answers.assign(own_rays.size(), Answer{});
-    const Elapsed first = elapsed_by([&] { ask(*built_[c], own_rays, std::span<Answer>(answers)); });
-    own.first_pass_seconds = own.next_pass_seconds = first.real;
-    double pass_seconds = first.own;
-    if (contender.kind() == Contender::Kind::peer) {
-      own.disagreeing_rays = checks.disagreeing(answers, few);
-    } else {
-      checks.require_right(contender.name(), answers, few);
-      counted_answers.assign(own_rays.size(), Answer{});
-      const Elapsed next =
-          elapsed_by([&] { own.stats = count(*built_[c], own_rays, std::span<Answer>(counted_answers)); });
-      own.next_pass_seconds = next.real;
-      pass_seconds = std::min(pass_seconds, next.own);
-      checks.require_right(contender.name() + " (while counting)", counted_answers, few);
-    }
-    if (own.rays > 0) {
-      schedule(own, pass_seconds, plan_.slot_seconds, plan_.ray_seconds, plan_.rounds, fewest_ray_rounds);
-    }
+    const Elapsed next = elapsed_by([&] { own.stats = count(*built_[c], own_rays, std::span<Answer>(answers)); });
+    own.next_pass_seconds = next.real;
+    pass_seconds = std::min(pass_seconds, next.own);
+    checks.require_right(contender.name() + " (while counting)", answers, few);
+  }
+  if (own.rays > 0) {
+    schedule(own, pass_seconds, plan_.slot_seconds, plan_.ray_seconds, plan_.rounds, fewest_ray_rounds);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/checks.h"
 #include "bench/contender.h"
 #include "bench/rays.h"
 #include "bench/report.h"
@@ -12,15 +13,21 @@
 
 namespace sightline::bench {
 
-/// The contenders of a run: the plan's structures in their order, then the peers.
+/// How the plan asks this structure: by level, single rays before streams.
+std::vector<Asking> askings_of(const Plan& plan, const AcceleratorSpec& spec);
+
+/// The contenders of a run: the plan's structures in their order, each asked in all its ways, then the peers.
 using Contenders = std::vector<std::unique_ptr<Contender>>;
 Contenders make_contenders(const Plan& plan);
 
 /// One scene with every contender built, every workload's rays made and every hit verified: all but the times.
 ///
 /// Ours are held against brute force on a sample of the rays, and against one structure of the registry on all of them,
-/// bit for bit; where two differ, brute force tells which is wrong. Peers are held against the same structure, within
-/// the rounding of their arithmetic, and the number of disagreeing rays is kept.
+/// bit for bit and at the level that they are asked at; where two differ, brute force tells which is wrong. Peers are
+/// held against the same structure at the strictest of these levels, within the rounding of their arithmetic, and the
+/// number of disagreeing rays is kept.
+///
+/// A structure that is asked in several ways is built once.
 class Stage {
  public:
   /// Refers to `plan` and `contenders`, which must live as long.
@@ -31,7 +38,7 @@ class Stage {
   SceneReport& report() { return report_; }
   const SceneReport& report() const { return report_; }
 
-  /// How long the first build of each contender took, by the clock on the wall.
+  /// How long the first build of each contender's structure took, by the clock on the wall.
   const std::vector<double>& first_build_seconds() const { return first_build_seconds_; }
 
   /// Builds contender `c` once more.
@@ -42,8 +49,11 @@ class Stage {
 
  private:
   void build_all(Progress& progress);
+  std::optional<std::size_t> built_as(std::size_t c) const;
   template <class Answer>
   void verify(Workload workload, const Built& reference, const Built& oracle, Progress& progress);
+  template <class Answer>
+  void verify_one(std::size_t c, Workload workload, const Checks<Answer>& checks);
   bool is_asked_fewer(std::size_t c) const { return contenders_[c]->tests_per_ray(mesh_->size()) > 0; }
   std::span<const Ray<float>> rays_of(std::size_t c, Workload workload) const;
 

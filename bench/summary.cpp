@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bench/peers/peers.h"
+#include "bench/prices.h"
 #include "bench/text_table.h"
 
 namespace sightline::bench {
@@ -40,7 +41,7 @@ std::vector<SummaryLine> summary_of(std::span<const SceneReport> scenes) {
   for (const ContenderReport& contender : scenes.front().contenders) {
     const auto own = in_all(scenes, contender.name);
     if (own.empty()) continue;
-    SummaryLine line{contender.name, {}, {}};
+    SummaryLine line{contender.name, contender.built_as.has_value(), {}, {}};
     double logarithms = 0;
     for (std::size_t s = 0; s < scenes.size(); ++s) {
       logarithms += std::log(static_cast<double>(own[s]->bytes.total()) / static_cast<double>(scenes[s].triangles));
@@ -65,12 +66,17 @@ std::string summary_text(std::span<const SceneReport> scenes, const Plan& plan) 
   }
   double least = 1, most = 0;  // confidence
   for (const SummaryLine& line : summary_of(scenes)) {
-    std::vector<std::string> row{line.name, line.bytes_per_triangle ? number_text(*line.bytes_per_triangle) : "-"};
+    std::vector<std::string> row{line.name};
+    row.push_back(line.is_shared ? "" : line.bytes_per_triangle ? number_text(*line.bytes_per_triangle) : "-");
     for (const Workload w : plan.workloads) {
+      if (line.is_shared && w == Workload::build) {
+        row.insert(row.end(), {"", ""});
+        continue;
+      }
       const auto& ratio = line.ratio[index_of(w)];
       row.push_back(ratio ? measured_text(*ratio) + 'x' : "-");
       const bool is_interval = ratio && ratio->low < ratio->high;
-      row.push_back(is_interval ? number_text(ratio->low, 2) + " to " + number_text(ratio->high, 2) : "");
+      row.push_back(is_interval ? interval_text(*ratio, 2) : "");
       if (!is_interval) continue;
       least = std::min(least, ratio->confidence);
       most = std::max(most, ratio->confidence);
@@ -80,6 +86,7 @@ std::string summary_text(std::span<const SceneReport> scenes, const Plan& plan) 
   std::vector<std::string> names;
   for (const SceneReport& scene : scenes) names.push_back(scene.name);
   std::string text = "all " + plural(scenes.size(), "scene") + ": " + joined(names) + "\n\n" + table.text() +
+                     prices_text(scenes, plan) +
                      "\nGeometric means over the scenes: of memory, and of speed over Embree's (building: of its time "
                      "over the structure's).\nRound by round the mean of all scenes, then the median of the rounds";
   if (most > 0) text += "; intervals hold it with " + number_text(100 * most, 2) + " %";

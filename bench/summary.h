@@ -13,6 +13,7 @@ namespace sightline::bench {
 
 struct SummaryLine {
   std::string name;
+  bool is_shared = false;                    ///< Its structure is that of a line above: so are its bytes and its build.
   std::optional<double> bytes_per_triangle;  ///< Geometric mean over the scenes; nothing where one has no triangles.
   /// By Workload: the geometric mean over the scenes of the ratio to the reference peer. Round n of every scene makes
   /// sample n of the mean, and these have the median and interval shown. Nothing where some scene has no ratio.

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "bench/prices.h"
 #include "bench/text_table.h"
 
 namespace sightline::bench {
@@ -26,17 +27,21 @@ std::vector<Workload> ray_workloads(const Plan& plan) {
   return list;
 }
 
+std::string bytes_text(const ContenderReport& contender, std::size_t triangles) {
+  if (contender.built_as) return "";
+  if (triangles == 0) return "-";
+  return number_text(static_cast<double>(contender.bytes.total()) / static_cast<double>(triangles));
+}
+
 void add_rows(TextTable& table, const SceneReport& scene, const Plan& plan) {
   const std::vector<Workload> traced = ray_workloads(plan);
   for (const ContenderReport& contender : scene.contenders) {
     std::vector<std::string> row{contender.name};
     if (plan.has(Workload::build)) {
       const Measurement& build = *contender.at[index_of(Workload::build)];
-      row.push_back(build.seconds ? measured_text(scaled(*build.seconds, 1e3)) : "-");
+      row.push_back(contender.built_as ? "" : build.seconds ? measured_text(scaled(*build.seconds, 1e3)) : "-");
     }
-    row.push_back(scene.triangles == 0 ? "-"
-                                       : number_text(static_cast<double>(contender.bytes.total()) /
-                                                     static_cast<double>(scene.triangles)));
+    row.push_back(bytes_text(contender, scene.triangles));
     for (const Workload w : traced) {
       const Measurement& own = *contender.at[index_of(w)];
       const auto rate = own.mrays_per_second();
@@ -107,6 +112,7 @@ std::string rounds_note(const SceneReport& scene, const Plan& plan) {
   for (const ContenderReport& contender : scene.contenders) {
     for (const Workload w : plan.workloads) {
       const Measurement& own = *contender.at[index_of(w)];
+      if (contender.built_as && w == Workload::build) continue;
       if (own.rounds < plan.rounds && own.rays > 0) {
         fewer.push_back(contender.name + ' ' + name_of(w) + ' ' + std::to_string(own.rounds));
       }
@@ -149,8 +155,16 @@ std::string fewer_rays_note(const SceneReport& scene, const Plan& plan) {
 
 std::string oddities_note(const SceneReport& scene, const Plan& plan) {
   std::string text = fewer_rays_note(scene, plan);
+  const auto is_shared = [](const ContenderReport& contender) { return contender.built_as.has_value(); };
+  if (std::any_of(scene.contenders.begin(), scene.contenders.end(), is_shared)) {
+    text += "Lines without memory ask the structure above them in another way; it is built once.\n";
+  }
   for (const ContenderReport& contender : scene.contenders) {
-    if (contender.is_lazy() && !ray_workloads(plan).empty()) {
+    if (contender.asking && contender.asking->level != contender.level) {
+      text += contender.name + " is " + std::string(bench::name_of(contender.level)) +
+              " all the same: a lazy structure has no packed copies of triangles to test in float.\n";
+    }
+    if (contender.is_lazy() && !contender.built_as && !ray_workloads(plan).empty()) {
       const Measurement& own = *contender.at[index_of(ray_workloads(plan).front())];
       const double extra = own.first_pass_seconds - own.next_pass_seconds;
       text += contender.name + " goes on building while it is asked: the first pass of " +
@@ -176,6 +190,8 @@ std::string head_text(const Machine& machine, const Plan& plan) {
       "round\n"
       "B/tri    bytes a triangle takes: nodes, leaf order, copies in the leaves\n";
   if (plan.has(Workload::build)) text += "build    with " + thread_text(plan.threads) + '\n';
+  if (plan.levels.back() == Level::fast) text += "fast     decided in float throughout; without: exactly, watertight\n";
+  if (plan.is_stream) text += "stream   all rays handed over together, several under way at once\n";
   return text;
 }
 
@@ -195,7 +211,8 @@ std::string table_text(const SceneReport& scene, const Plan& plan) {
   }
   add_rows(table, scene, plan);
   return scene.name + ": " + plural(scene.triangles, "triangle") + rays_line(scene, plan) + "\n\n" + table.text() +
-         '\n' + verification_note(scene, plan) + rounds_note(scene, plan) + oddities_note(scene, plan);
+         prices_text(std::span(&scene, 1), plan) + '\n' + verification_note(scene, plan) + rounds_note(scene, plan) +
+         oddities_note(scene, plan);
 }
 
 }  // namespace sightline::bench

@@ -68,6 +68,11 @@ inline std::string joined(const std::vector<std::string>& items, const std::stri
   return text;
 }
 
+/// "0.97 to 1.1" of two digits.
+inline std::string interval_text(const Estimate& value, int digits) {
+  return number_text(value.low, digits) + " to " + number_text(value.high, digits);
+}
+
 inline Estimate scaled(const Estimate& value, double factor) {
   return {factor * value.median, factor * value.low, factor * value.high, value.confidence};
 }

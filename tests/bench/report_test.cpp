@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/json.h"
+#include "bench/prices.h"
 #include "bench/summary.h"
 #include "bench/table.h"
 
@@ -121,6 +122,76 @@ TEST(Report, SummaryNeedsThePeerOnEveryScene) {
   const auto lines = summary_of(std::vector<SceneReport>{one.scene, other.scene});
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_FALSE(lines[0].ratio[index_of(Workload::primary)]);
+}
+
+/// A structure asked at both levels and in a stream, and another one. Only the first was built, in 5 seconds.
+struct PricedExample : Example {
+  PricedExample() {
+    plan.workloads = {Workload::build, Workload::primary};
+    plan.levels = {Level::watertight, Level::fast};
+    plan.is_stream = true;
+    scene.contenders.clear();
+    const auto add = [&](const char* label, const Asking& asking, std::vector<double> seconds) {
+      ContenderReport& own =
+          scene.contenders.emplace_back(contender(name_of(label, asking), Contender::Kind::ours, std::move(seconds)));
+      own.asking = asking;
+      own.level = asking.level;
+      Measurement& build = own.at[index_of(Workload::build)].emplace();
+      build.rays = 1;
+      build.round_seconds.assign(3, absent);
+    };
+    add("wide-tree", {}, {2, 8, 6});
+    add("wide-tree", {Level::watertight, true}, {1, 2, 3});
+    add("wide-tree", {Level::fast, false}, {1, 2, absent});
+    add("kd-tree", {}, {1, 1, 1});
+    scene.contenders[0].at[index_of(Workload::build)]->round_seconds = {5, 5, 5};
+    scene.contenders[1].built_as = scene.contenders[2].built_as = 0;
+    summarize(scene);
+  }
+};
+
+TEST(Prices, AreOfOneChoicePairedByRound) {
+  const PricedExample example;
+  const auto prices = prices_of(std::span(&example.scene, 1));
+  ASSERT_EQ(prices.size(), 2u) << "the stream is watertight: it has no price over fast single rays";
+  EXPECT_EQ(prices[0].name, "wide-tree");
+  EXPECT_EQ(prices[0].over, "wide-tree fast");
+  const auto& ratio = prices[0].ratio[index_of(Workload::primary)];
+  EXPECT_EQ(ratio->low, 2);
+  EXPECT_EQ(ratio->high, 4);
+  EXPECT_EQ(ratio->median, 3) << "of the two rounds that both took part in";
+  EXPECT_FALSE(prices[0].ratio[index_of(Workload::build)]);
+  EXPECT_EQ(prices[1].over, "wide-tree stream");
+  EXPECT_EQ(prices[1].ratio[index_of(Workload::primary)]->median, 2);
+  const Example asked_in_one_way;
+  EXPECT_TRUE(prices_of(std::span(&asked_in_one_way.scene, 1)).empty());
+}
+
+TEST(Prices, OfSeveralScenesAreGeometricMeans) {
+  const PricedExample one;
+  PricedExample other;
+  other.scene.contenders[2].at[index_of(Workload::primary)]->round_seconds = {0.25, 1, absent};
+  const auto prices = prices_of(std::vector<SceneReport>{one.scene, other.scene});
+  EXPECT_DOUBLE_EQ(prices[0].ratio[index_of(Workload::primary)]->low, 4) << "of 2 and 8";
+}
+
+TEST(Prices, OneStructureIsBuiltOnce) {
+  const PricedExample example;
+  EXPECT_EQ(example.scene.contenders[2].at[index_of(Workload::build)]->seconds->median, 5);
+  const std::string text = table_text(example.scene, example.plan);
+  EXPECT_NE(text.find("wide-tree over wide-tree fast"), std::string::npos) << text;
+  EXPECT_NE(text.find("5000"), std::string::npos) << text;
+  EXPECT_EQ(text.find("5000"), text.rfind("5000")) << text;
+
+  const auto json = nlohmann::json::parse(json_text({Machine{}, example.plan, {example.scene}}));
+  EXPECT_EQ(json["plan"]["levels"], (nlohmann::json{"watertight", "fast"}));
+  const auto& contenders = json["scenes"][0]["contenders"];
+  EXPECT_EQ(contenders[2]["level"], "fast");
+  EXPECT_EQ(contenders[1]["stream"], true);
+  EXPECT_EQ(contenders[2]["build_seconds"]["median"], 5);
+  const auto& price = json["scenes"][0]["prices"][0];
+  EXPECT_EQ(price["over"], "wide-tree fast");
+  EXPECT_EQ(price["time_ratio"]["primary"]["median"], 3);
 }
 
 TEST(Report, TableIsAligned) {
