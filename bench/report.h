@@ -46,7 +46,7 @@ struct ContenderReport {
   std::string accelerator;                      ///< Of ours: the registry's name.
   std::vector<TracerSettings::Option> options;  ///< Of ours: those that were set.
   std::optional<Asking> asking;                 ///< Of ours: as asked for.
-  Level level = Level::watertight;              ///< Of ours: as answered.
+  Level level = Level::watertight;              ///< As answered; of a peer: of ours that it is held against.
   std::optional<std::size_t> built_as;          ///< The earlier contender of the scene whose structure it asks.
   Built::Bytes bytes;                           ///< After all rays were traced once.
   std::size_t bytes_when_built = 0;

@@ -171,17 +171,12 @@ void Stage::verify(Workload workload, const Built& reference, const Built& oracl
   const std::vector<std::size_t> sample = pick(rays_[w].size(), affordable(plan_.oracle_tests, mesh_->size()));
   report_.sampled_rays = std::max(report_.sampled_rays, sample.size());
   const std::string place = report_.name + ' ' + std::string(workload_infos[w].name);
-  bool is_strictest = true;  // what peers are held against
   for (const Level level : {Level::watertight, Level::fast}) {
     std::vector<std::size_t> held;
     for (std::size_t c = 0; c < contenders_.size(); ++c) {
-      if (report_.contenders[c].asking && report_.contenders[c].level == level) held.push_back(c);
+      if (report_.contenders[c].level == level) held.push_back(c);
     }
     if (held.empty()) continue;
-    for (std::size_t c = 0; is_strictest && c < contenders_.size(); ++c) {
-      if (!report_.contenders[c].asking) held.push_back(c);
-    }
-    is_strictest = false;
     progress.say("verifying " + place + ": " + name_of(std::string(oracle_name), {level}));
     const auto own_reference = reference.asked({level}), own_oracle = oracle.asked({level});
     const Checks<Answer> checks(place, *mesh_, rays_[w], *own_reference, *own_oracle, sample);

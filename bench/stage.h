@@ -24,7 +24,7 @@ Contenders make_contenders(const Plan& plan);
 ///
 /// Ours are held against brute force on a sample of the rays, and against one structure of the registry on all of them,
 /// bit for bit and at the level that they are asked at; where two differ, brute force tells which is wrong. Peers are
-/// held against the same structure at the strictest of these levels, within the rounding of their arithmetic, and the
+/// held against the same structure at level watertight, within the rounding of their arithmetic, and the
 /// number of disagreeing rays is kept.
 ///
 /// A structure that is asked in several ways is built once.
