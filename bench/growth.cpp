@@ -87,7 +87,7 @@ std::vector<SceneReport> run_growth(const Plan& plan, Progress& progress) {
     Contenders fast;
     for (std::size_t c = 0; c < contenders.size(); ++c) {
       const bool is_reference = contenders[c]->name() == reference_peer;
-      if (is_reference || growth * build_seconds[c] <= plan.growth_build_seconds)
+      if (is_reference || growth * build_seconds[c] <= plan.growth_build_seconds())
         fast.push_back(std::move(contenders[c]));
     }
     contenders = std::move(fast);
@@ -139,7 +139,8 @@ std::string growth_text(std::span<const SceneReport> scenes, const Plan& plan) {
   for (const GrowthLine& line : lines) {
     if (line.left_out_from == 0) continue;
     text += line.name + " is left out from " + count_text(line.left_out_from) +
-            " triangles on: building it would take longer than " + number_text(plan.growth_build_seconds, 2) + " s.\n";
+            " triangles on: building it would take longer than " + number_text(plan.growth_build_seconds(), 2) +
+            " s.\n";
   }
   return text;
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// What a run is asked to do.
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string>
@@ -52,7 +53,10 @@ struct Plan {
 
   std::string growth;  ///< A family of scenes, to be measured at growing sizes instead of `scenes`; or empty.
   std::size_t growth_limit = 300'000;  ///< Triangles of the largest, about.
-  double growth_build_seconds = 4;     ///< One that would build the next size for longer is left out from there on.
+
+  /// One that would build the next size for longer is left out from there on. At larger limits that is as long as
+  /// building the largest takes at 150,000 triangles a second.
+  double growth_build_seconds() const { return std::max(4.0, static_cast<double>(growth_limit) / 150'000); }
 
   std::size_t rays_of(const std::string& scene) const { return scene == slow_scene ? (rays + 9) / 10 : rays; }
 
