@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 
 #include "bench/contender.h"
 #include "bench/growth.h"
@@ -70,6 +71,9 @@ std::vector<AcceleratorSpec> parse_structures(const std::vector<std::string>& te
   }
   apply_settings(structures, settings);
   if (!quality.empty()) {
+    if (std::find(quality_names.begin(), quality_names.end(), quality) == quality_names.end()) {
+      throw UsageError("unknown quality '" + quality + "'; expected fast, balanced or best");
+    }
     for (AcceleratorSpec& spec : structures) set_quality(spec, quality);
   }
   for (std::size_t i = 0; i < structures.size(); ++i) {
@@ -141,6 +145,26 @@ void make_quick(Plan& plan) {
   plan.few_tests = 5e6;
 }
 
+/// In words of its own: those of CLI11 call 1e5 out of a range that it is in.
+CLI::Validator whole_number(std::size_t low, std::size_t high) {
+  const std::string range = std::to_string(low) + " to " + std::to_string(high);
+  const auto check = [=](const std::string& text) {
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_number = error == std::errc() && end == text.data() + text.size();
+    if (is_number && number >= low && number <= high) return std::string();
+    return "expected a whole number from " + range + ", found '" + text + "'";
+  };
+  return CLI::Validator(check, "");
+}
+
+/// \throws UsageError naming the first word that is no option, in the order of the command line.
+[[noreturn]] void refuse_extras(std::vector<std::string> words) {
+  const std::string& first = words.front();
+  if (first.starts_with("-")) throw UsageError("unknown option " + first + "; --help lists them");
+  throw UsageError("unexpected '" + first + "'; what is traced comes after --scene, structures after --accel");
+}
+
 /// Many scenes, each measured less: the sizes of one another's neighbours are what steadies the exponent.
 void make_growing(Plan& plan, bool is_quick) {
   if (!is_growth_family(plan.growth)) {
@@ -187,8 +211,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
       ->type_name("ACCEL.OPTION=VALUE")
       ->allow_extra_args(false);
   app.add_option("--quality", quality, "Of every structure that has a choice: fast, balanced or best (balanced)")
-      ->type_name("QUALITY")
-      ->check(CLI::IsMember(std::vector<std::string>(quality_names.begin(), quality_names.end())).description(""));
+      ->type_name("QUALITY");
   app.add_option("--level", levels, "How accurate our queries are: fast, watertight, or both side by side (watertight)")
       ->type_name("LEVELS")
       ->delimiter(',')
@@ -207,19 +230,19 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   auto* const limit_option =
       app.add_option("--growth-to", growth_limit, "Triangles to grow to, 3000 to 10000000 (300000; quick 30000)")
           ->type_name("N")
-          ->check(CLI::Range(least_growth_limit, most_growth_limit).description(""));
+          ->check(whole_number(least_growth_limit, most_growth_limit));
   auto* const rays_option =
       app.add_option("--rays", rays,
                      "Rays of each kind, 1 to 100000000 (100000; quick or without scenes 30000; of sticks a tenth)")
           ->type_name("N")
-          ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}).description(""));
+          ->check(whole_number(1, 100'000'000));
   auto* const rounds_option =
       app.add_option("--rounds", rounds, "Rounds of timing everything once, 1 to 1000 (9; quick 5)")
           ->type_name("N")
-          ->check(CLI::Range(1, 1000).description(""));
+          ->check(whole_number(1, 1000));
   app.add_option("--threads", plan.threads, "Threads to build with, ours and Embree, to 1024 (0: all)")
       ->type_name("N")
-      ->check(CLI::Range(0, 1024).description(""));
+      ->check(whole_number(0, 1024));
   app.add_flag("--quick", is_quick, "Fewer rays and rounds: seconds instead of minutes");
   app.add_option("--json", line.json, "Writes everything that was measured into FILE")->type_name("FILE");
   app.add_option("--data", data_dir, "Folder of the scenes that are read from files")->type_name("DIR");
@@ -230,6 +253,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::CallForHelp&) {
     line.help = app.help() + std::string(reading()) + catalogue();
     return line;
+  } catch (const CLI::ExtrasError&) {
+    refuse_extras(app.remaining());
   } catch (const CLI::ParseError& error) {
     std::string text = error.what();
     std::replace(text.begin(), text.end(), '\n', ' ');
@@ -274,6 +299,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   }
   if (!plan.growth.empty() && !line.google_flags.empty()) throw UsageError("--growth takes no flags after --");
   check_contenders(plan);
+  if (line.json == "-") throw UsageError("--json takes a file; standard output has the table");
   return line;
 }
 

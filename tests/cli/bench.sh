@@ -16,7 +16,10 @@ expect_prints brute-force
 
 refuses 2 no-such-tree "$bench" --accel no-such-tree
 refuses 2 brute-force "$bench" --accel no-such-tree # the message lists what there is
-refuses 2 --no-such-option "$bench" --no-such-option
+refuses 2 'unknown option --no-such-option' "$bench" --no-such-option 5
+refuses 2 "'5'" "$bench" --quick 5
+refuses 2 'whole number' "$bench" --rays 1e5
+refuses 2 table "$bench" --json -
 refuses 2 no_such_field "$bench" --accel kd-tree:no_such_field=1
 refuses 2 NAME "$bench" --accel kd-tree:8
 refuses 2 twice "$bench" --accel kd-tree:max_leaf_size=8,max_depth=9 --accel kd-tree:max_leaf_size=8,max_depth=9
