@@ -26,6 +26,9 @@ How to read the table:
              the median, so that a busy machine disturbs it little.
   nodes      Inner nodes and empty cells that a ray opens: the structure's part.
   candidates Triangles that a ray is tested against: what the structure leaves over.
+  fast       Asked at --level fast; lines without it decide exactly.
+  stream     All rays handed over together; lines without it take them one by one.
+  times      Under the table: time per ray of one line over that of another.
   Digits     end where the measurement's uncertainty begins.
 
 Examples:
@@ -33,6 +36,8 @@ Examples:
   sightline-bench --accel kd-tree,bih --scene dragon:3 --rounds 21
   sightline-bench --accel kd-tree --accel kd-tree:max_leaf_size=16
                                                one structure against itself
+  sightline-bench --level fast,watertight      what exact decisions cost
+  sightline-bench --accel wide-tree --stream   single rays beside many at once
   sightline-bench --scene soup:100000 --workload build --threads 1
   sightline-bench --json out/bench.json        with all rounds, for other tools
   sightline-bench --scene dragon:3 --peer all  beside CGAL and VTK as well
