@@ -28,6 +28,7 @@ How to read the table:
   candidates Triangles that a ray is tested against: what the structure leaves over.
   fast       Asked at --level fast; lines without it decide exactly.
   stream     All rays handed over together; lines without it take them one by one.
+  ####|      Below several scenes: slower than Embree, which is |; |## is twice as fast.
   times      Under the table: time per ray of one line over that of another.
   Digits     end where the measurement's uncertainty begins.
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "bench/bars.h"
 #include "bench/command_line.h"
 #include "bench/growth.h"
 #include "bench/json.h"
@@ -80,6 +81,8 @@ int run(const CommandLine& line) {
   if (count == 0) return 0;  // Google Benchmark was asked to list only, or for nothing that there is
   for (const Stage& stage : stages) report.scenes.push_back(stage.report());
   if (report.scenes.size() > 1) print('\n' + summary_text(report.scenes, line.plan));
+  const std::string bars = bars_text(report.scenes, line.plan);
+  if (!bars.empty()) print('\n' + bars);
   if (line.json.empty()) return 0;
   write_text(line.json, json_text(report));
   return 0;

@@ -95,13 +95,14 @@ Stage::Stage(const Plan& plan, const std::string& scene, std::shared_ptr<const T
   report_.triangles = mesh_->size();
   build_all(progress);
 
-  progress.say(report_.name + ": making rays");
+  progress.say(report_.name + ": building what hits are held against");
   TracerSettings settings;
   settings.threads = plan_.threads;
   const auto build = [&](std::string_view name) {
     return make_structure({"", std::string(name), settings})->build(mesh_);
   };
   const auto reference = build(reference_name()), oracle = build(oracle_name);
+  progress.say(report_.name + ": making rays");
   rays_ = make_rays(*mesh_, plan_.rays_of(scene), [&](auto rays, auto hits) { reference->closest_hits(rays, hits); });
   std::size_t most = 0;
   for (const auto& rays : rays_) most = std::max(most, rays.size());

@@ -79,6 +79,7 @@ check 'no peer' bash -c "! grep -q '^embree' '$scratch/stdout'"
 run "$bench" "${quick[@]}" --scene soup:300 --accel kd-tree --json out.json
 expect_exit 0
 expect_prints 'all 2 scenes: soup:200, soup:300'
+expect_prints 'speed on bounce rays'
 expect_prints interval
 check 'a summary in the JSON file' grep -q '"summary": \[' "$work/out.json"
 run "$bench" "${quick[@]}" --level fast,watertight --stream --accel wide-tree,kd-tree,bih:lazy=true --json out.json
