@@ -270,7 +270,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   }
   if (plan.scenes.empty()) {
     plan.rays = short_run_rays;
-    plan.slot_seconds = 0.03;
+    plan.slot_seconds = 0.02;
     plan.ray_seconds = 2;
     plan.build_seconds = 3;
   }
