@@ -96,7 +96,9 @@ void check_silhouettes() {
     }
   }
   EXPECT_GT(counts.met, 5000);
-  if (std::is_same_v<T, float> && hn::MaxLanes(Lanes()) == 4) EXPECT_GT(counts.ordinary, counts.met * 9 / 10);
+  if (std::is_same_v<T, float> && hn::MaxLanes(Lanes()) == 4) {
+    EXPECT_GT(counts.ordinary, counts.met * 9 / 10);
+  }
 }
 
 TEST(PaddedRay, SkipsNoBoxThatTheExactRayMeetsFloat) { check_silhouettes<float>(); }
