@@ -37,31 +37,31 @@ concept Steppable = requires(const A& accel) {
 /// to stay in the first-level cache.
 inline constexpr std::size_t stream_width = 12;
 
-/// Structures in which rays can begin together.
-template <class A, class T>
-concept Packing = Steppable<A, T> && requires {
-  typename A::template Packet<T>;
+/// Views in which rays can begin together.
+template <class View, class T>
+concept Packing = requires {
+  typename View::template Packet<T>;
 };
 
 namespace detail {
 
 struct NoPacket {};
-template <class A, class T>
+template <class View, class T>
 struct PacketOf {
   using type = NoPacket;
 };
-template <class A, class T>
-requires Packing<A, T>
-struct PacketOf<A, T> {
-  using type = typename A::template Packet<T>;
+template <class View, class T>
+requires Packing<View, T>
+struct PacketOf<View, T> {
+  using type = typename View::template Packet<T>;
 };
 
 /// Feeds rays through slots. `Query` is made of a ray, is told of leaves, and says what was found.
-template <class Query, class T, class Leaves, class Accel>
+template <class Query, class T, class Leaves, class View>
 class Stream {
  public:
-  Stream(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> rays)
-      : accel_(accel), leaves_(leaves), rays_(rays) {}
+  Stream(const View& view, const Leaves& leaves, std::span<const Ray<T>> rays)
+      : view_(view), leaves_(leaves), rays_(rays) {}
 
   /// Calls finish(index of the ray, its query) for every ray, in any order.
   template <class Finish>
@@ -83,13 +83,13 @@ class Stream {
   }
 
  private:
-  using Walk = typename Accel::template Walk<T>;
-  using Packet = typename PacketOf<Accel, T>::type;
+  using Walk = typename View::template Walk<T>;
+  using Packet = typename PacketOf<View, T>::type;
 
   struct Slot {
     template <class... From>
-    Slot(const Leaves& leaves, const Ray<T>& ray, std::size_t at, const Accel& accel, const From&... from)
-        : walk(accel, from...), query(leaves, ray), index(at) {}
+    Slot(const Leaves& leaves, const Ray<T>& ray, std::size_t at, const View& view, const From&... from)
+        : walk(view, from...), query(leaves, ray), index(at) {}
     Walk walk;
     Query query;
     std::size_t index;
@@ -100,9 +100,9 @@ class Stream {
     for (slot.reset(); next_ < rays_.size() && !slot; ++next_) {
       const Ray<T>& ray = rays_[next_];
       if (begin_together(slot, finish)) continue;
-      slot.emplace(leaves_, ray, next_, accel_, ray);
+      slot.emplace(leaves_, ray, next_, view_, ray);
       if (slot->walk.serves()) continue;
-      accel_.traverse(ray, QueryVisitor{slot->query, leaves_}, probe_);
+      view_.traverse(ray, QueryVisitor{slot->query, leaves_}, probe_);
       finish(next_, slot->query);
       slot.reset();
     }
@@ -112,12 +112,12 @@ class Stream {
   /// Makes a packet of every so many rays; false where they are not coherent.
   template <class Finish>
   bool begin_together(std::optional<Slot>& slot, Finish&& finish) {
-    if constexpr (Packing<Accel, T>) {
+    if constexpr (Packing<View, T>) {
       const std::size_t lane = next_ % Packet::size;
-      if (lane == 0) packet_.emplace(accel_, rays_.subspan(next_, std::min(Packet::size, rays_.size() - next_)));
+      if (lane == 0) packet_.emplace(view_, rays_.subspan(next_, std::min(Packet::size, rays_.size() - next_)));
       if (!packet_->is_coherent()) return false;
       if (packet_->is_met(lane)) {
-        slot.emplace(leaves_, rays_[next_], next_, accel_, *packet_, lane);
+        slot.emplace(leaves_, rays_[next_], next_, view_, *packet_, lane);
       } else {
         finish(next_, Query(leaves_, rays_[next_]));
       }
@@ -127,7 +127,7 @@ class Stream {
     }
   }
 
-  const Accel& accel_;
+  const View& view_;
   const Leaves& leaves_;
   std::span<const Ray<T>> rays_;
   std::size_t next_ = 0, under_way_ = 0;
@@ -151,8 +151,9 @@ void closest_hits(const Accel& accel, const Leaves& leaves, std::span<const Ray<
 template <class T, FetchingLeaves Leaves, Steppable<T> Accel>
 void any_hits(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> rays, std::span<std::uint8_t> is_hit) {
   accel.with_view([&]<class View>(const View& view) {
-    detail::Stream<AnyQuery<T, Leaves>, T, Leaves, View>(view, leaves, rays)
-        .run([&](std::size_t i, const auto& query) { is_hit[i] = query.is_found; });
+    detail::Stream<AnyQuery<T, Leaves>, T, Leaves, View>(view, leaves, rays).run([&](std::size_t i, const auto& query) {
+      is_hit[i] = query.is_found;
+    });
   });
 }
 
