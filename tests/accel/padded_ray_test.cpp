@@ -140,6 +140,15 @@ TEST(SlabRay, LeavesExtremesToPaddedRay) {
       EXPECT_FALSE(is_ordinary({odd, {0, 0, 1}}));
       EXPECT_FALSE(is_ordinary({{0, 0, 0}, odd}));
     }
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const float broken : {nan, infinity}) {
+        Ray<float> origin{{1, 2, 3}, {3, 2, 1}}, direction = origin;
+        origin.origin[axis] = broken;
+        direction.direction[axis] = broken;
+        EXPECT_FALSE(is_ordinary(origin));
+        EXPECT_FALSE(is_ordinary(direction));
+      }
+    }
     EXPECT_FALSE(is_ordinary({{0, 0, 0}, {0, 0, 0}}));
     EXPECT_FALSE(is_ordinary({{0, 0, 0}, {0, 0, 1}, 2, 1}));
     EXPECT_FALSE(SlabRay<Lanes>({{0, 0, 0}, {0, 0, 1}}, Aabb{}).is_ordinary());

@@ -41,10 +41,12 @@ template <class D>
     return hn::And(hn::Ge(x, hn::Set(d, lowest)), hn::Le(x, hn::Set(d, highest)));
   };
   const V size = hn::Abs(inverse);
-  const auto is_ordinary =
-      hn::And(hn::And(is_within(reach, 0x1p-100f, 0x1p+100f),  // S3
-                      is_within(hn::Mul(reach, size), 0x1p-90f, 0x1p+120f)),
-              hn::And(is_within(hn::Mul(hn::Abs(origin), size), 0, 0x1p+120f), is_within(speed, 0x1p-90f, 0x1p+90f)));
+  // S3, and of the ray's own numbers in each lane, since maxima may lose a NaN.
+  const auto is_in_range =
+      hn::And(is_within(speed, 0x1p-90f, 0x1p+90f),
+              hn::And(is_within(reach, 0x1p-100f, 0x1p+100f), is_within(hn::Mul(reach, size), 0x1p-90f, 0x1p+120f)));
+  const auto is_ordinary = hn::And(is_in_range, hn::And(is_within(hn::Mul(hn::Abs(origin), size), 0, 0x1p+120f),
+                                                        is_within(hn::Abs(direction), 0, 0x1p+90f)));
   return {inverse, hn::Add(origin, away), hn::Sub(origin, away), is_ordinary};
 }
 
