@@ -15,9 +15,9 @@ namespace sightline {
 /// Up to sixteen rays that look the same way. Near the root they meet the same nodes, so a node is opened once for all
 /// of them, by intervals that hold all rays; each child is then tested by all rays at once, which tells who meets it.
 /// Subtrees that few meet, and leaves, are left to the rays, each of which goes on alone with what is its own.
-///   K1  A ray starts with every subtree that it would have come to alone, before any hit: tests are those of
-///       SlabRay, and the intervals' hold them. So its hits are the same.
-///   K2  `budget` bounds the work that a ray whose hit is near makes for nothing.
+///   K1  A ray starts with every subtree that M2 (padded_ray.h) keeps for it, so its hits are the same: it is tested as
+///       SlabRay tests, and an interval is as early as its earliest ray but for 3 u of reach, of which M2 has more.
+///   K2  `budget` bounds the work that a ray whose hit is near makes for nothing, and how many subtrees there are.
 /// Boulos, Edwards, Lacewell, Kniss, Kautz, Shirley and Wald, "Packet-based Whitted and Distribution Ray Tracing", 2007
 /// (intervals); Benthin, Wald, Woop, Ernst and Mark, "Combining Single and Packet-Ray Tracing for Arbitrary Ray
 /// Distributions on the Intel MIC Architecture", 2012 (packets that fall apart into single rays).
@@ -63,8 +63,10 @@ class WidePacket {
   using P = hn::CappedTag<T, size>;  ///< Of rays.
   using D = typename WideSlabOpener<T, Node>::D;
   using V = hn::Vec<P>;
-  static constexpr std::size_t budget = 16;  ///< Nodes.
-  static constexpr int few = 4;              ///< Rays for which a node is not worth opening together.
+  static constexpr std::size_t budget = 16;                        ///< Nodes.
+  static constexpr std::size_t most_parts = budget * Node::width;  ///< K2: each is a child of an opened node.
+  static_assert(most_parts <= WideStack<T>::first);
+  static constexpr int few = 4;  ///< Rays for which a node is not worth opening together.
 
   /// A subtree that some rays meet.
   struct Part {
@@ -150,7 +152,7 @@ class WidePacket {
                        range_of(inverse_[axis])};
     }
     range_ = {range_of(t_min_).lo, range_of(t_max_).hi};
-    std::array<Child, (budget + 2) * Node::width> waiting;
+    std::array<Child, most_parts + Node::width> waiting;
     std::size_t waiting_count = open(0, waiting.data());
     for (std::size_t opened = 1; waiting_count > 0;) {
       const Child child = waiting[--waiting_count];
@@ -223,7 +225,7 @@ class WidePacket {
   std::uint32_t octant_ = 0;
   std::array<Bounds, 3> bounds_;
   Range range_;
-  std::array<Part, (budget + 1) * Node::width> parts_;
+  std::array<Part, most_parts + 1> parts_;  ///< And one in the making.
   std::size_t part_count_ = 0;
   std::uint32_t met_ = 0;
   bool is_coherent_;

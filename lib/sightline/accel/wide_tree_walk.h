@@ -19,8 +19,9 @@ namespace sightline {
 /// whole registers at a time. The owner counts, so that compilers keep the count in a register.
 template <class T>
 struct WideStack {
+  static constexpr std::size_t first = 128;  ///< Most that a ray may begin with, see WidePacket.
   static constexpr std::size_t capacity =
-      BinaryTree::max_depth * (WideNode::width - 1) + 2 * WideNode::width;  // W3, and a register more
+      first + BinaryTree::max_depth * (WideNode::width - 1) + 2 * WideNode::width;  // W3, and a register more
 
   std::array<T, capacity> enters;
   std::array<std::uint32_t, capacity> links;
