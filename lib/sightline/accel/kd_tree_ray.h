@@ -157,18 +157,6 @@ class KdVectorRay {
   }
 
  private:
-  /// The larger one, and b where a is NaN.
-  template <class X>
-  static X larger(X a, X b) {
-    if constexpr (HWY_ARCH_X86) return hn::Max(a, b);
-    return hn::IfThenElse(hn::Gt(a, b), a, b);
-  }
-  template <class X>
-  static X smaller(X a, X b) {
-    if constexpr (HWY_ARCH_X86) return hn::Min(a, b);
-    return hn::IfThenElse(hn::Lt(a, b), a, b);
-  }
-
   Interval<float> range_;
   V enter_, leave_, inverse_;  ///< By axis, and again from the fifth lane on.
   std::uint32_t x_, xy_, xz_;  ///< Seven bits of sign x, and of whether y's and z's differ from it.
