@@ -12,25 +12,20 @@
 #include "sightline/accel/wide_tree.h"
 #include "sightline/query/leaves.h"
 #include "sightline/query/stream.h"
+#include "tests/accel/law_variants.h"
 #include "tests/accel/laws.h"
 
 namespace sightline {
 namespace laws {
 
-/// A wide tree as the laws build it, but with compressed nodes, and with references split so that leaves are merged.
-class CompressedWideTree : public WideTree {
- public:
-  static CompressedWideTree build(const Primitives& primitives, Options options) {
-    options.compressed = true;
-    if (options.splits == 0) options.splits = 100;
-    return CompressedWideTree(WideTree::build(primitives, options));
-  }
-
- private:
-  explicit CompressedWideTree(WideTree&& tree) : WideTree(std::move(tree)) {}
+/// With references split as well, so that leaves are merged.
+constexpr auto compress = [](WideTreeOptions& options) {
+  options.compressed = true;
+  options.splits = 100;
 };
 
-INSTANTIATE_TYPED_TEST_SUITE_P(Compressed, Laws, ::testing::Types<CompressedWideTree>);
+using CompressedWideTree = Changed<WideTree, compress>;
+INSTANTIATE_TYPED_TEST_SUITE_P(Compressed, Laws, CompressedWideTree);
 
 }  // namespace laws
 

@@ -14,40 +14,17 @@
 #include "sightline/accel/reference_sweep.h"
 #include "sightline/accel/wide_tree.h"
 #include "sightline/scene/procedural.h"
+#include "tests/accel/law_variants.h"
 #include "tests/accel/laws.h"
 
 namespace sightline {
 namespace laws {
 
-template <Quality quality>
-struct QualityOptions {
-  Quality value = quality;
+constexpr auto fast = [](auto& options) { options.quality = Quality::fast; };
+constexpr auto best = [](auto& options) { options.quality = Quality::best; };
 
-  static constexpr std::array<OptionField<QualityOptions>, 1> fields() {
-    return {{{"value", &QualityOptions::value, 0, 2, "quality"}}};
-  }
-};
-
-/// A tree as the laws build it, but at another quality than the default.
-template <class Tree, Quality quality>
-class AtQuality : public Tree {
- public:
-  using Options = QualityOptions<quality>;
-
-  static AtQuality build(const Primitives& primitives, const Options& options) {
-    validate(Tree::name, options);
-    typename Tree::Options others;
-    others.quality = options.value;
-    return AtQuality(Tree::build(primitives, others));
-  }
-
- private:
-  explicit AtQuality(Tree&& tree) : Tree(std::move(tree)) {}
-};
-
-using QualityTrees = ::testing::Types<AtQuality<WideTree, Quality::fast>, AtQuality<WideTree, Quality::best>,
-                                      AtQuality<BoxTree, Quality::fast>, AtQuality<BoxTree, Quality::best>,
-                                      AtQuality<SphereTree, Quality::best>, AtQuality<CylinderTree, Quality::fast>>;
+using QualityTrees = ::testing::Types<Changed<WideTree, fast>, Changed<WideTree, best>, Changed<BoxTree, fast>,
+                                      Changed<BoxTree, best>, Changed<SphereTree, best>, Changed<CylinderTree, fast>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Quality, Laws, QualityTrees);
 
 }  // namespace laws

@@ -9,37 +9,15 @@
 #include "sightline/accel/bounding_volume_tree.h"
 #include "sightline/accel/wide_tree.h"
 #include "sightline/scene/procedural.h"
+#include "tests/accel/law_variants.h"
 #include "tests/accel/laws.h"
 
 namespace sightline {
 namespace laws {
 
-struct SplitOptions {
-  int splits = 300;
+constexpr auto split = [](auto& options) { options.splits = 300; };
 
-  static constexpr std::array<OptionField<SplitOptions>, 1> fields() {
-    return {{{"splits", &SplitOptions::splits, 0, 1000, "percent"}}};
-  }
-};
-
-/// A tree of boxes as the laws build it, but with references split.
-template <class Tree>
-class WithSplits : public Tree {
- public:
-  using Options = SplitOptions;
-
-  static WithSplits build(const Primitives& primitives, const Options& options) {
-    validate(Tree::name, options);
-    typename Tree::Options others;
-    others.splits = options.splits;
-    return WithSplits(Tree::build(primitives, others));
-  }
-
- private:
-  explicit WithSplits(Tree&& tree) : Tree(std::move(tree)) {}
-};
-
-using SplitTrees = ::testing::Types<WithSplits<WideTree>, WithSplits<BoxTree>>;
+using SplitTrees = ::testing::Types<Changed<WideTree, split>, Changed<BoxTree, split>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Split, Laws, SplitTrees);
 
 }  // namespace laws
