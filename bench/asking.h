@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "sightline/query/level.h"
+#include "sightline/math/level.h"
 
 namespace sightline::bench {
 
@@ -15,12 +15,7 @@ struct Asking {
   friend bool operator==(const Asking&, const Asking&) = default;
 };
 
-inline std::string_view name_of(Level level) {
-  for (const LevelInfo& info : level_infos) {
-    if (info.level == level) return info.name;
-  }
-  return {};
-}
+inline std::string_view name_of(Level level) { return info_of(level).name; }
 
 /// What a report calls `label` asked like that: "kd-tree" at the default level, one ray after the other, and
 /// "kd-tree fast stream" otherwise.

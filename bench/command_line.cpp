@@ -30,14 +30,15 @@ void set_quality(AcceleratorSpec& spec, const std::string& quality) {
 /// The strictest first, whatever their order was.
 std::vector<Level> parse_levels(const std::vector<std::string>& names) {
   for (auto name = names.begin(); name != names.end(); ++name) {
-    if (std::none_of(level_infos.begin(), level_infos.end(), [&](const auto& info) { return info.name == *name; })) {
+    const auto is_named = [&](Level level) { return info_of(level).name == *name; };
+    if (std::none_of(triangle_levels.begin(), triangle_levels.end(), is_named)) {
       throw UsageError("unknown level '" + *name + "'; expected fast, watertight, or fast,watertight for both");
     }
-    if (std::find(names.begin(), name, *name) != name) throw UsageError("--level names " + *name + " twice");
+    if (std::find(names.begin(), name, *name) != name) throw UsageError("--precision names " + *name + " twice");
   }
   std::vector<Level> levels;
   for (const Level level : {Level::watertight, Level::fast}) {
-    if (std::find(names.begin(), names.end(), name_of(level)) != names.end()) levels.push_back(level);
+    if (std::find(names.begin(), names.end(), info_of(level).name) != names.end()) levels.push_back(level);
   }
   return levels;
 }
@@ -212,7 +213,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
       ->allow_extra_args(false);
   app.add_option("--quality", quality, "Of every structure that has a choice: fast, balanced or best (balanced)")
       ->type_name("QUALITY");
-  app.add_option("--level", levels, "How accurate our queries are: fast, watertight, or both side by side (watertight)")
+  app.add_option("--precision", levels,
+                 "How accurate our queries are: fast, watertight, or both side by side (watertight)")
       ->type_name("LEVELS")
       ->delimiter(',')
       ->allow_extra_args(false);

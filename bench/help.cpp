@@ -26,7 +26,7 @@ How to read the table:
              the median, so that a busy machine disturbs it little.
   nodes      Inner nodes and empty cells that a ray opens: the structure's part.
   candidates Triangles that a ray is tested against: what the structure leaves over.
-  fast       Asked at --level fast; lines without it decide exactly.
+  fast       Asked at --precision fast; lines without it decide exactly.
   stream     All rays handed over together; lines without it take them one by one.
   ####|      Below several scenes: slower than Embree, which is |; |## is twice as fast.
   times      Under the table: time per ray of one line over that of another.
@@ -37,7 +37,7 @@ Examples:
   sightline-bench --accel kd-tree,bih --scene dragon:3 --rounds 21
   sightline-bench --accel kd-tree --accel kd-tree:max_leaf_size=16
                                                one structure against itself
-  sightline-bench --level fast,watertight      what exact decisions cost
+  sightline-bench --precision fast,watertight  what exact decisions cost
   sightline-bench --accel wide-tree --stream   single rays beside many at once
   sightline-bench --scene soup:100000 --workload build --threads 1
   sightline-bench --json out/bench.json        with all rounds, for other tools
@@ -77,8 +77,9 @@ std::string catalogue() {
   for (const WorkloadInfo& info : workload_infos) {
     text += "  " + std::string(info.name) + '\n' + wrapped(std::string(info.description), 6);
   }
-  text += "\nLevels, for --level:\n";
-  for (const LevelInfo& info : level_infos) {
+  text += "\nLevels, for --precision:\n";
+  for (const Level level : triangle_levels) {
+    const LevelInfo& info = info_of(level);
     text += "  " + std::string(info.name) + '\n' + wrapped(std::string(info.help), 6);
   }
   text += "\nScenes (NAME or NAME:SIZE, or the path of an OBJ, PLY, STL, OFF or glTF file):\n";

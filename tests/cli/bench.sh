@@ -34,12 +34,12 @@ refuses 2 rounds "$bench" --rounds 0
 refuses 2 'unknown peer' "$bench" --peer no-such-peer
 refuses 2 cgal "$bench" --peer no-such-peer # the message lists what there is
 refuses 2 'stands alone' "$bench" --peer none,embree
-refuses 2 'unknown level' "$bench" --level fast,no-such-level
-refuses 2 watertight "$bench" --level no-such-level # the message lists what there is
-refuses 2 twice "$bench" --level fast,watertight,fast
-refuses 2 twice "$bench" --level fast --level fast
+refuses 2 'unknown level' "$bench" --precision fast,no-such-level
+refuses 2 watertight "$bench" --precision no-such-level # the message lists what there is
+refuses 2 twice "$bench" --precision fast,watertight,fast
+refuses 2 twice "$bench" --precision fast --precision fast
 refuses 2 wide-tree "$bench" --stream --accel kd-tree # the message lists those that can
-refuses 2 'kd-tree fast' "$bench" --accel kd-tree --level fast --self-check kd-tree # and what is in the run
+refuses 2 'kd-tree fast' "$bench" --accel kd-tree --precision fast --self-check kd-tree # and what is in the run
 refuses 2 terrain "$bench" --growth teapot
 refuses 2 growth-to "$bench" --growth soup --growth-to 10
 refuses 2 growth-to "$bench" --growth soup --growth-to 1e9
@@ -82,7 +82,7 @@ expect_prints 'all 2 scenes: soup:200, soup:300'
 expect_prints 'speed on bounce rays'
 expect_prints interval
 check 'a summary in the JSON file' grep -q '"summary": \[' "$work/out.json"
-run "$bench" "${quick[@]}" --level fast,watertight --stream --accel wide-tree,kd-tree,bih:lazy=true --json out.json
+run "$bench" "${quick[@]}" --precision fast,watertight --stream --accel wide-tree,kd-tree,bih:lazy=true --json out.json
 expect_exit 0
 for name in 'wide-tree' 'wide-tree stream' 'wide-tree fast' 'wide-tree fast stream' 'kd-tree' 'kd-tree fast'; do
   expect_prints "$name "
@@ -93,7 +93,7 @@ for price in 'wide-tree over wide-tree fast' 'wide-tree over wide-tree stream' '
 done
 expect_prints 'bih:lazy=true fast is watertight all the same'
 check 'prices in the JSON file' grep -q '"over": "wide-tree fast"' "$work/out.json"
-run "$bench" "${quick[@]}" --level watertight --level fast --accel kd-tree --self-check 'kd-tree fast' --json out.json
+run "$bench" "${quick[@]}" --precision watertight --precision fast --accel kd-tree --self-check 'kd-tree fast' --json out.json
 expect_exit 1
 expect_one_line
 expect_says 'kd-tree fast is wrong'

@@ -14,7 +14,7 @@
 #include "sightline/accel/accelerator.h"
 #include "sightline/accel/large_pages.h"
 #include "sightline/math/rounding.h"
-#include "sightline/query/level.h"
+#include "sightline/math/level.h"
 #include "sightline/shape/mesh.h"
 #include "sightline/shape/shapes.h"
 #include "sightline/shape/triangle_sieve.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "sightline/accel/accelerator.h"
-#include "sightline/query/level.h"
+#include "sightline/math/level.h"
 #include "sightline/shape/mesh.h"
 
 namespace sightline {
