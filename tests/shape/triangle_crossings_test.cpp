@@ -2,40 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "tests/shape/closed_mesh_seeds.h"
-#include "tests/shape/rational_geometry.h"
+#include "tests/shape/crossing_oracle.h"
 
 namespace sightline {
 namespace {
 
-using Expected = std::map<Rational, std::vector<std::uint32_t>>;
-
-/// Plane first, then on which sides of the edges the point is.
-Expected expected_crossings(const ExactLine& line, const MeshSeed& seed) {
-  Expected expected;
-  for (std::uint32_t id = 0; id < seed.triangles.size(); ++id) {
-    const auto& corners = seed.triangles[id];
-    const ExactVector a = exact(seed.vertices[corners[0]]), b = exact(seed.vertices[corners[1]]),
-                      c = exact(seed.vertices[corners[2]]);
-    const ExactVector normal = cross(b - a, c - a);
-    const Rational slope = dot(normal, line.direction);
-    if (slope == 0) continue;
-    const Rational t = dot(normal, a - line.origin) / slope;
-    const ExactVector p = line.origin + t * line.direction;
-    if (t < 0 || dot(cross(b - a, p - a), normal) < 0 || dot(cross(c - b, p - b), normal) < 0 ||
-        dot(cross(a - c, p - c), normal) < 0) {
-      continue;
-    }
-    expected[t].push_back(id);
-  }
-  return expected;
-}
-
 void expect_exact(const MeshSeed& seed, const Ray<double>& ray, int& crossed, const Frame* frame = nullptr) {
   const auto found = triangle_crossings(FramedRay(ray, frame), seed.vertices, seed.triangles);
-  const Expected expected = expected_crossings(exact(ray, frame ? *frame : Frame()), seed);
+  const CrossingMap expected = expected_crossings(exact(ray, frame ? *frame : Frame()), seed);
   ASSERT_EQ(found.size(), expected.size());
   std::size_t i = 0;
   for (const auto& [t, triangles] : expected) {
