@@ -76,7 +76,7 @@ refused() { # TEXT LINE: says so with its number, and answers the others
   check "'$1' in the second answer" bash -c 'sed -n 2p "$0" | grep -q -F -e "$1"' "$scratch/stdout" "$1"
   check 'its line and an error' bash -c 'sed -n 2p "$0" | grep -q -E "\"line\":3,\"error\":\".*expected .*found "' "$scratch/stdout"
 }
-refused 'byte 1' 'nonsense'
+refused 'byte 2' 'nonsense'
 refused 'unexpected end' "{\"id\":1,$ray"
 refused '/: expected an object' '[1,2]'
 refused '"/: expected a member' '{"sphere":{"c":[0,0,0],"r":1}}'
