@@ -115,6 +115,35 @@ RootList exact_roots(const Torus& torus, const Ray<double>& ray) {
   return list;
 }
 
+/// x * 2^k where that is exact, as it is without underflow; else `is_exact` becomes false.
+Vec3d scaled(const Vec3d& v, int k, bool& is_exact) {
+  const Vec3d result{std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
+  is_exact = is_exact && Vec3d(std::ldexp(result.x, -k), std::ldexp(result.y, -k), std::ldexp(result.z, -k)) == v;
+  return result;
+}
+
+/// What is too large or too small by itself, in units that are powers of two. Exact where that does not help: at lines
+/// that begin 2^60 torus radii away.
+RootList rescaled_roots(const Torus& torus, const Ray<double>& ray, Level level) {
+  const double radius = torus.major + torus.minor;
+  if (!(radius > 0)) return exact_roots(torus, ray);
+  const int k = -std::ilogb(radius), m = -std::ilogb(max_norm(ray.direction)), n = -std::ilogb(max_norm(torus.axis));
+  bool is_exact = true;
+  const Vec3d radii = scaled({torus.major, torus.minor, 0}, k, is_exact);
+  const Torus unit{scaled(torus.center, k, is_exact), scaled(torus.axis, n, is_exact), radii.x, radii.y};
+  const Ray<double> unit_ray{scaled(ray.origin, k, is_exact), scaled(ray.direction, m, is_exact)};
+  if (!is_exact || !sizes_of(unit, unit_ray, leading_of(seen_from(unit, unit_ray).w)).are_moderate()) {
+    return exact_roots(torus, ray);
+  }
+  RootList list = torus_roots(unit, unit_ray, level);
+  for (int i = 0; i < list.count; ++i) {
+    Root& root = list.roots[static_cast<std::size_t>(i)];
+    root.t = std::ldexp(root.t, m - k);
+    if (root.radius > 0) root.radius = std::ldexp(root.radius, m - k) + std::numeric_limits<double>::denorm_min();
+  }
+  return list;
+}
+
 /// The polynomial at t in some 100 bits, from the point there, and a proven bound of its error.
 class WideTorus {
  public:
@@ -181,10 +210,12 @@ bool round_roots(const BoundedPolynomial<Arithmetic<DoubleBall>, 4>& f, const Wi
 }  // namespace
 
 RootList torus_roots(const Torus& torus, const Ray<double>& ray, Level level) {
+  if (!is_finite(ray.origin) || !is_finite(ray.direction) || ray.direction == Vec3d(0)) return {};
   const SeenLine line = seen_from(torus, ray);
   const Vec3d w = leading_of(line.w);
   const Sizes sizes = sizes_of(torus, ray, w);
   const bool is_moderate = sizes.are_moderate();
+  if (!is_moderate && level != Level::exact) return rescaled_roots(torus, ray, level);
   if (is_moderate && misses_sphere(torus, w, ray.direction)) return {};
   if (level == Level::fast) return float_roots(torus, ray, line);
 
