@@ -15,7 +15,7 @@ math    | glm hwy
 shape   math | glm
 accel   math | glm sys tbb
 query   accel shape math | glm tbb
-csg     shape math | glm
+csg     accel shape math | glm
 noise   math | glm
 texture noise io math | glm
 scene   shape csg texture io math | glm tbb

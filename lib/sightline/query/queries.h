@@ -28,6 +28,17 @@ T parameter(const Crossing& crossing) {
   return static_cast<T>(crossing.t) + T(0);
 }
 
+/// Leaves whose shapes have several crossings may tell the first alone, which is all that one hit needs.
+template <class Leaves, class Prepared, class T, class See>
+[[gnu::always_inline]] inline void for_first_crossings(const Leaves& leaves, Prepared& ray, LeafRange leaf, T far,
+                                                       See&& see) {
+  if constexpr (requires { leaves.for_first_crossings(ray, leaf, far, see); }) {
+    leaves.for_first_crossings(ray, leaf, far, see);
+  } else {
+    leaves.for_each_crossing(ray, leaf, far, see);
+  }
+}
+
 /// A ray as the leaves test with it.
 template <class T, class Leaves>
 using Prepared = decltype(std::declval<const Leaves&>().prepare(std::declval<const Ray<T>&>()));
@@ -58,15 +69,15 @@ struct ClosestQuery {
 
   /// Returns the far limit.
   [[gnu::always_inline]] T visit(const Leaves& leaves, LeafRange leaf) {
-    leaves.for_each_crossing(prepared, leaf, std::min(best.t, ray.t_max),
-                             [&](std::uint32_t id, const Crossing& crossing) {
-                               const T t = detail::parameter<T>(crossing);
-                               if (t <= best.t && detail::is_in_range(ray, t)) {
-                                 const Hit<T> hit = detail::hit_of(t, id, crossing);
-                                 if (is_closer(hit, best)) best = hit;
-                               }
-                               return true;
-                             });
+    detail::for_first_crossings(leaves, prepared, leaf, std::min(best.t, ray.t_max),
+                                [&](std::uint32_t id, const Crossing& crossing) {
+                                  const T t = detail::parameter<T>(crossing);
+                                  if (t <= best.t && detail::is_in_range(ray, t)) {
+                                    const Hit<T> hit = detail::hit_of(t, id, crossing);
+                                    if (is_closer(hit, best)) best = hit;
+                                  }
+                                  return true;
+                                });
     return std::min(best.t, ray.t_max);
   }
 };
@@ -82,7 +93,7 @@ struct AnyQuery {
   AnyQuery(const Leaves& leaves, const Ray<T>& its_ray) : ray(its_ray), prepared(leaves.prepare(its_ray)) {}
 
   [[gnu::always_inline]] T visit(const Leaves& leaves, LeafRange leaf) {
-    leaves.for_each_crossing(prepared, leaf, ray.t_max, [&](std::uint32_t, const Crossing& crossing) {
+    detail::for_first_crossings(leaves, prepared, leaf, ray.t_max, [&](std::uint32_t, const Crossing& crossing) {
       is_found = detail::is_in_range(ray, detail::parameter<T>(crossing));
       return !is_found;
     });

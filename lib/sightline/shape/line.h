@@ -1,25 +1,59 @@
 #pragma once
+/// Lines of rays in any type of numbers, and in the frames that shapes stand in.
 
 #include <array>
+#include <cstddef>
 
 #include "sightline/math/ray.h"
 
 namespace sightline {
 
-/// The line of a ray in any type of numbers.
 template <class N>
 struct Line {
   std::array<N, 3> origin, direction;
 };
 
-template <class N>
-Line<N> line_of(const Ray<double>& ray) {
-  Line<N> line;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    line.origin[axis] = N(ray.origin[static_cast<int>(axis)]);
-    line.direction[axis] = N(ray.direction[static_cast<int>(axis)]);
+/// Where a shape stands: rows of an affine map from the world to the shape's own coordinates. These doubles say where,
+/// exactly. A ray keeps its t.
+struct Frame {
+  std::array<std::array<double, 4>, 3> rows{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+
+  bool is_identity() const { return *this == Frame(); }
+  friend bool operator==(const Frame&, const Frame&) = default;
+};
+
+/// A ray as a shape in a frame sees it. Refers to both; without a frame the shape stands in the world.
+class FramedRay {
+ public:
+  explicit FramedRay(const Ray<double>& ray, const Frame* frame = nullptr) : ray_(&ray), frame_(frame) {}
+
+  const Ray<double>& ray() const { return *ray_; }
+  const Frame* frame() const { return frame_; }
+
+  /// The line in the frame, computed in N: exact where N is.
+  template <class N>
+  Line<N> in() const {
+    Line<N> world;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      world.origin[axis] = N(ray_->origin[static_cast<int>(axis)]);
+      world.direction[axis] = N(ray_->direction[static_cast<int>(axis)]);
+    }
+    if (!frame_) return world;
+    Line<N> local;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& row = frame_->rows[i];
+      const auto mapped = [&](const std::array<N, 3>& v) {
+        return N(row[0]) * v[0] + N(row[1]) * v[1] + N(row[2]) * v[2];
+      };
+      local.direction[i] = mapped(world.direction);
+      local.origin[i] = mapped(world.origin) + N(row[3]);
+    }
+    return local;
   }
-  return line;
-}
+
+ private:
+  const Ray<double>* ray_;
+  const Frame* frame_;
+};
 
 }  // namespace sightline

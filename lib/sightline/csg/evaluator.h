@@ -1,0 +1,293 @@
+#pragma once
+/// Fires a ray at a solid: lists where it enters and leaves each operand, in order of t, keeps the transitions of the
+/// boolean state machine, and passes the list up.
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "sightline/accel/padded_ray.h"
+#include "sightline/csg/primitive_spans.h"
+#include "sightline/csg/solid.h"
+
+namespace sightline {
+
+/// What evaluation tells of its work; this one does not listen.
+struct NoSolidProbe {
+  static constexpr bool sees_transitions = false;  ///< Whether those that change nothing matter, too.
+  void node(std::uint32_t) {}                      ///< A node is evaluated.
+  void pruned(std::uint32_t) {}                    ///< A node is left out, for want of a meeting.
+  void primitive(std::uint32_t) {}                 ///< A primitive's faces are solved.
+  void transition(std::uint32_t, const Transition&, bool, double) {}  ///< Of a node: kept or not, and where.
+  void spans(std::uint32_t, std::span<const Boundary>, bool) {}       ///< A node's list.
+};
+
+/// Work per ray.
+struct SolidStats : NoSolidProbe {
+  std::uint64_t nodes = 0, pruned_nodes = 0, primitives = 0, transitions = 0;
+
+  void node(std::uint32_t) { ++nodes; }
+  void pruned(std::uint32_t) { ++pruned_nodes; }
+  void primitive(std::uint32_t) { ++primitives; }
+  void transition(std::uint32_t, const Transition&, bool, double) { ++transitions; }
+};
+
+/// Evaluates one solid for one ray. Refers to both.
+///   V1  A list is right within the window that it was asked for, ends included; beyond it anything may be missing.
+///   V2  What is left out cannot have a boundary, nor be inside, within the window: its box, which is rounded outward,
+///       is missed by a padded ray.
+template <Level level, class Probe = NoSolidProbe>
+class SolidEvaluator {
+ public:
+  using Window = Interval<double>;
+
+  SolidEvaluator(const Solid& solid, const Ray<double>& ray, Probe& probe)
+      : solid_(solid), ray_(ray), padded_(to_real(ray), solid.extent()), order_(solid, ray), probe_(probe) {}
+
+  /// The solid's spans within the window; all of them without one. A ray that is not valid has none.
+  SpanList spans(Window window = {-infinity, infinity}) {
+    stack_.truncate(0);
+    if (!is_valid(ray_)) return nothing();
+    return evaluate(last_node(), window);
+  }
+  std::span<const Boundary> operator[](const SpanList& list) const { return stack_[list]; }
+
+  /// The first boundary with t_min < t <= t_max.
+  std::optional<Boundary> first(double t_min, double t_max) {
+    stack_.truncate(0);
+    if (!is_valid(ray_)) return std::nullopt;
+    return solid_.options().stop_early ? first_of(last_node(), {t_min, t_max})
+                                       : first_in(evaluate(last_node(), {t_min, t_max}), {t_min, t_max});
+  }
+
+ private:
+  using Real = std::conditional_t<level == Level::fast, float, double>;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  static Ray<Real> to_real(const Ray<double>& ray) {
+    return {Vec3<Real>(ray.origin), Vec3<Real>(ray.direction), -std::numeric_limits<Real>::infinity()};
+  }
+
+  std::uint32_t last_node() const { return static_cast<std::uint32_t>(solid_.nodes().size()) - 1; }
+  SpanList nothing() const { return {stack_.size(), 0, false}; }
+
+  /// V2
+  bool is_met(const SolidNode& node, const Window& window) const {
+    if (!node.is_bounded || !solid_.options().use_bounds) return true;
+    if (node.bounds.is_empty()) return false;
+    const Interval<Real> range = padded_.clip(node.bounds, std::numeric_limits<Real>::infinity());
+    return !(range.lo > above(window.hi)) && !(range.hi < below(window.lo)) && !(range.lo > range.hi);
+  }
+  static Real above(double t) {
+    if constexpr (level == Level::fast) return round_up(t);
+    return t;
+  }
+  static Real below(double t) {
+    if constexpr (level == Level::fast) return round_down(t);
+    return t;
+  }
+
+  SpanList evaluate(std::uint32_t index, const Window& window) {
+    const SolidNode& node = solid_.nodes()[index];
+    SpanList list = nothing();
+    if (is_met(node, window)) {
+      probe_.node(index);
+      list = node.is_primitive ? primitive(node) : operation(index, node, window);
+    } else {
+      probe_.pruned(index);
+    }
+    return finished(index, node, list);
+  }
+
+  SpanList finished(std::uint32_t index, const SolidNode& node, SpanList list) {
+    if (node.is_complement) {
+      list.begins_inside = !list.begins_inside;
+      for (std::uint32_t i = list.first; i < list.first + list.count; ++i) stack_[i].is_flipped = !stack_[i].is_flipped;
+    }
+    probe_.spans(index, stack_[list], list.begins_inside);
+    return list;
+  }
+
+  SpanList primitive(const SolidNode& node) {
+    probe_.primitive(node.primitive);
+    return primitive_spans<level>(solid_, node.primitive, ray_, order_, stack_);
+  }
+
+  SpanList operation(std::uint32_t index, const SolidNode& node, const Window& window) {
+    const auto children = solid_.children(node);
+    const bool has_first = node.operation != Operation::unite && node.operation != Operation::differ;
+    if (!has_first) return folded(index, node, children, window);
+    SpanList list = evaluate(children[0], window);
+    if (node.operation == Operation::subtract) return subtracted(index, node, list, window);
+    for (std::size_t i = 1; i < children.size() && !(list.is_empty() && solid_.options().skip_empty); ++i) {
+      list = combined(index, node.operation, list, evaluate(children[i], narrowed(list, window)));
+    }
+    return list;
+  }
+
+  /// All children but the first from `list`, which is the first's and on top of the stack.
+  SpanList subtracted(std::uint32_t index, const SolidNode& node, const SpanList& list, const Window& window) {
+    if (list.is_empty() && solid_.options().skip_empty) return list;
+    const SpanList rest = folded(index, node, solid_.children(node).subspan(1), narrowed(list, window));
+    return combined(index, Operation::subtract, list, rest);
+  }
+
+  /// The part of a window in which a list has anything.
+  Window narrowed(const SpanList& list, const Window& window) const {
+    if (!solid_.options().skip_empty || list.begins_inside) return window;
+    const auto boundaries = stack_[list];
+    if (boundaries.empty()) return window;
+    const Boundary &first = boundaries.front(), &last = boundaries.back();
+    return {std::max(window.lo, first.t - first.radius),
+            list.count % 2 == 0 ? std::min(window.hi, last.t + last.radius) : window.hi};
+  }
+
+  /// The union, or symmetric difference, of children; of a subtraction the union of what is subtracted.
+  SpanList folded(std::uint32_t index, const SolidNode& node, std::span<const std::uint32_t> children,
+                  const Window& window) {
+    const Operation operation = node.operation == Operation::differ ? Operation::differ : Operation::unite;
+    const OperandIndex* operands = solid_.index_of(node);
+    if (!operands || !solid_.options().index_operands) return folded(index, operation, children, window);
+    const std::size_t begin = found_.size();
+    Ray<double> part = ray_;
+    part.t_min = window.lo, part.t_max = window.hi;
+    operands->find(part, found_);
+    std::sort(found_.begin() + static_cast<std::ptrdiff_t>(begin), found_.end());
+    found_.erase(std::unique(found_.begin() + static_cast<std::ptrdiff_t>(begin), found_.end()), found_.end());
+    std::vector<std::uint32_t> met;
+    for (std::size_t i = begin; i < found_.size(); ++i) met.push_back(children[found_[i]]);
+    found_.resize(begin);
+    return folded(index, operation, met, window);
+  }
+
+  /// By halves, so that a boundary passes through as many merges as the logarithm of the number of operands.
+  SpanList folded(std::uint32_t index, Operation operation, std::span<const std::uint32_t> children,
+                  const Window& window) {
+    if (children.empty()) return nothing();
+    if (children.size() == 1) return evaluate(children[0], window);
+    const SpanList a = folded(index, operation, children.first(children.size() / 2), window);
+    const SpanList b = folded(index, operation, children.subspan(children.size() / 2), window);
+    return combined(index, operation, a, b);
+  }
+
+  /// Merges two lists, b behind a on top of the stack, into the list of the result in their place.
+  SpanList combined(std::uint32_t index, Operation operation, const SpanList& a, const SpanList& b) {
+    SpanList list{a.first, 0, is_inside(operation, a.begins_inside, b.begins_inside)};
+    const std::uint32_t end_a = a.first + a.count, end_b = b.first + b.count;
+    if (!Probe::sees_transitions && b.is_empty() && operation != Operation::intersect) {
+      list.count = a.count;
+      return list;
+    }
+    bool is_in_a = a.begins_inside, is_in_b = b.begins_inside;
+    for (std::uint32_t i = a.first, j = b.first; i < end_a || j < end_b;) {
+      const int order = i == end_a ? 1 : j == end_b ? -1 : order_(stack_[i], stack_[j]);
+      const Transition step{is_in_a, is_in_a != (order <= 0), is_in_b, is_in_b != (order >= 0)};
+      is_in_a = step.is_in_a, is_in_b = step.is_in_b;
+      const Boundary& from_a = stack_[i < end_a ? i : j];
+      const Boundary& from_b = stack_[j < end_b ? j : i];
+      const bool takes_a = order < 0 || (order == 0 && from_a.primitive <= from_b.primitive);
+      Boundary boundary = takes_a ? from_a : from_b;
+      const bool kept = is_kept(operation, step);
+      probe_.transition(index, step, kept, boundary.t);
+      i += order <= 0, j += order >= 0;
+      if (!kept) continue;
+      boundary.is_flipped ^= (takes_a ? step.is_in_a : step.is_in_b) != is_inside(operation, step);
+      stack_.push(boundary);
+    }
+    stack_.erase(a.first, end_b);
+    list.count = stack_.size() - a.first;
+    return list;
+  }
+
+  // ---- The first boundary
+
+  std::optional<Boundary> first_in(const SpanList& list, const Window& window) const {
+    for (const Boundary& boundary : stack_[list]) {
+      if (boundary.t > window.lo) return boundary.t <= window.hi ? std::optional(boundary) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  /// Whether the ray is inside just behind the window's begin.
+  bool begins_within(const SpanList& list, const Window& window) const {
+    bool is_inside = list.begins_inside;
+    for (const Boundary& boundary : stack_[list]) {
+      if (boundary.t > window.lo) break;
+      is_inside = !is_inside;
+    }
+    return is_inside;
+  }
+
+  std::optional<Boundary> first_of(std::uint32_t index, const Window& window) {
+    const SolidNode& node = solid_.nodes()[index];
+    if (!is_met(node, window)) {
+      probe_.pruned(index);
+      return std::nullopt;  // nor has a complement a boundary here
+    }
+    if (node.is_primitive || node.is_complement) return first_in(evaluate(index, window), window);
+    if (node.operation == Operation::unite && !solid_.index_of(node)) return first_of_union(index, window);
+    if (node.operation == Operation::subtract) return first_of_difference(index, window);
+    return first_in(evaluate(index, window), window);
+  }
+
+  /// From outside of all operands, the nearest of their first boundaries; from inside of one, by the whole list.
+  std::optional<Boundary> first_of_union(std::uint32_t index, Window window) {
+    const Window whole = window;
+    std::optional<Boundary> nearest;
+    probe_.node(index);
+    for (const std::uint32_t child : solid_.children(solid_.nodes()[index])) {
+      const std::uint32_t size = stack_.size();
+      const SpanList list = evaluate(child, window);
+      if (begins_within(list, window)) {
+        stack_.truncate(size);
+        return first_in(evaluate(index, whole), whole);
+      }
+      const auto boundary = first_in(list, window);
+      stack_.truncate(size);
+      if (!boundary) continue;
+      const int order = nearest ? order_(*boundary, *nearest) : -1;
+      if (order < 0 || (order == 0 && boundary->primitive < nearest->primitive)) nearest = boundary;
+      window.hi = std::min(window.hi, nearest->t + nearest->radius);
+    }
+    return nearest;
+  }
+
+  /// The spans of the minuend one after the other, each alone less what is subtracted.
+  std::optional<Boundary> first_of_difference(std::uint32_t index, const Window& window) {
+    const SolidNode& node = solid_.nodes()[index];
+    probe_.node(index);
+    const SpanList minuend = evaluate(solid_.children(node)[0], window);
+    const std::uint32_t size = stack_.size();
+    bool is_inside = minuend.begins_inside;
+    for (std::uint32_t i = 0; i <= minuend.count; ++i, is_inside = !is_inside) {
+      if (!is_inside) continue;
+      // The span from the boundary before i to the one at i, either of which may be missing.
+      SpanList span{size, 0, i == 0};
+      for (std::uint32_t end = i == 0 ? 0 : i - 1; end <= i && end < minuend.count; ++end) {
+        const Boundary boundary = stack_[minuend.first + end];
+        stack_.push(boundary);
+        ++span.count;
+      }
+      const double lo = i == 0 ? -infinity : stack_[size].t - stack_[size].radius;
+      const double hi = i == minuend.count ? infinity : stack_[stack_.size() - 1].t + stack_[stack_.size() - 1].radius;
+      if (lo > window.hi) break;
+      if (hi >= window.lo) {
+        const auto boundary = first_in(subtracted(index, node, span, window), window);
+        if (boundary) return boundary;
+      }
+      stack_.truncate(size);
+    }
+    return std::nullopt;
+  }
+
+  const Solid& solid_;
+  const Ray<double>& ray_;
+  PaddedRay<Real> padded_;
+  BoundaryOrder<level> order_;
+  Probe& probe_;
+  SpanStack stack_;
+  std::vector<std::uint32_t> found_;
+};
+
+}  // namespace sightline

@@ -1,0 +1,40 @@
+#pragma once
+/// What solids are made of: shapes in frames of their own, and their faces.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <variant>
+
+#include "sightline/shape/closed_mesh.h"
+#include "sightline/shape/solid_shape.h"
+
+namespace sightline {
+
+using SolidShape = std::variant<solid::HalfSpace, solid::Sphere, solid::Box, solid::Cylinder, solid::Cone,
+                                solid::Quadric, solid::Torus, std::shared_ptr<const ClosedMesh>>;
+
+struct Primitive {
+  SolidShape shape;
+  std::uint32_t frame = 0;  ///< Of the solid; 0 is the world.
+  std::uint32_t material = 0;
+};
+
+/// A face of a shape, whatever it is.
+using Surface = std::variant<solid::AxisPlane, solid::HalfSpace, solid::Cap, solid::Sphere, solid::Cylinder,
+                             solid::Cone, solid::Quadric, solid::Torus, solid::Facet>;
+
+/// Which face is what: a cylinder's are its side, base and top, a cone's its side, the plane through its apex and its
+/// base, a box's the lower and upper one of x, y and z, a mesh's its triangles.
+Surface surface_of(const SolidShape& shape, std::uint32_t face);
+
+/// Whether two surfaces are one and the same set of points by their very numbers, whichever side is inside. False does
+/// not say that they differ.
+bool is_same(const Surface& a, const Surface& b);
+
+/// The plane of a half-space, as one across an axis where it is such a one exactly (F3).
+std::variant<solid::AxisPlane, solid::HalfSpace> plane_of(const solid::HalfSpace& half);
+/// The plane of a cap, likewise.
+std::variant<solid::AxisPlane, solid::Cap> plane_of(const solid::Cap& cap);
+
+}  // namespace sightline

@@ -1,0 +1,126 @@
+#pragma once
+/// Solids as primitives of the accelerators: each is one, however many parts it has.
+
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sightline/accel/accelerator.h"
+#include "sightline/csg/evaluator.h"
+#include "sightline/shape/shapes.h"
+
+namespace sightline {
+
+/// A crossing's u is the number of the primitive, its v that of the face: Solid::normal tells the rest.
+inline Crossing crossing_of(const Boundary& boundary) {
+  return {boundary.t, static_cast<double>(boundary.primitive), static_cast<double>(boundary.face)};
+}
+
+template <Level level>
+class SolidSet {
+ public:
+  using Shape = Solid;
+
+  class PreparedRay {
+   public:
+    explicit PreparedRay(const Ray<double>& ray) : ray_(ray) {}
+
+    template <class Report>
+    void for_each_crossing(const Solid& solid, Report&& report) const {
+      NoSolidProbe probe;
+      SolidEvaluator<level> evaluator(solid, ray_, probe);
+      const SpanList list = evaluator.spans();
+      for (const Boundary& boundary : evaluator[list]) report(crossing_of(boundary));
+    }
+
+   private:
+    Ray<double> ray_;
+  };
+
+  SolidSet() = default;
+
+  /// \throws std::invalid_argument naming the first solid that is empty, or has no bounds.
+  explicit SolidSet(std::vector<std::shared_ptr<const Solid>> solids) : solids_(std::move(solids)) {
+    for (std::size_t id = 0; id < solids_.size(); ++id) {
+      const Solid& solid = *solids_[id];
+      const bool has_bounds = solid.is_bounded() && !solid.root().is_complement;
+      if (has_bounds && !solid.bounds().is_empty()) continue;
+      throw std::invalid_argument("solid " + std::to_string(id) + ": expected one with finite bounds, found one " +
+                                  (has_bounds ? "that is empty" : "that goes on without end"));
+    }
+  }
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(solids_.size()); }
+  const Solid& operator[](std::uint32_t id) const { return *solids_[id]; }
+
+  Aabb bounds(std::uint32_t id) const { return solids_[id]->bounds(); }
+  Aabb clip(std::uint32_t id, const Aabb& box) const {
+    const Aabb clipped = intersection(bounds(id), box);
+    return clipped.is_empty() ? Aabb{} : clipped;
+  }
+  Hull hull(std::uint32_t id) const { return hull_of(bounds(id)); }
+  CandidatePlanes planes(std::uint32_t id) const { return faces_of(bounds(id)); }
+  PreparedRay prepare(const Ray<double>& ray) const { return PreparedRay(ray); }
+
+ private:
+  std::vector<std::shared_ptr<const Solid>> solids_;
+};
+
+static_assert(Shapes<SolidSet<Level::watertight>>);
+
+/// Leaves of solids as queries test them: no farther than they ask, and no more boundaries than the first.
+template <Level level, class Probe = NoSolidProbe>
+class SolidLeaves {
+ public:
+  SolidLeaves(const SolidSet<level>& solids, std::span<const std::uint32_t> order, Probe& probe)
+      : solids_(solids), order_(order), probe_(probe) {}
+
+  template <class T>
+  Ray<T> prepare(const Ray<T>& ray) const {
+    return ray;
+  }
+
+  /// Calls see(id, crossing) for the first crossing of each solid in the ray's range and not beyond `far`, until it
+  /// returns false.
+  template <class T, class See>
+  void for_first_crossings(const Ray<T>& ray, LeafRange leaf, T far, See&& see) const {
+    for (const std::uint32_t id : order_.subspan(leaf.first, leaf.count)) {
+      if (!see_first(id, ray, far, see)) return;
+    }
+  }
+
+  /// The same for all crossings.
+  template <class T, class See>
+  void for_each_crossing(const Ray<T>& ray, LeafRange leaf, T, See&& see) const {
+    bool goes_on = true;
+    for (std::size_t i = 0; i < leaf.count && goes_on; ++i) {
+      const std::uint32_t id = order_[leaf.first + i];
+      solids_.prepare(to_double(ray)).for_each_crossing(solids_[id], [&](const Crossing& crossing) {
+        goes_on = goes_on && see(id, crossing);
+      });
+    }
+  }
+
+ private:
+  template <class T, class See>
+  bool see_first(std::uint32_t id, const Ray<T>& ray, T far, See& see) const {
+    const Ray<double> wide = to_double(ray);
+    SolidEvaluator<level, Probe> evaluator(solids_[id], wide, probe_);
+    double t_min = wide.t_min;
+    while (const auto boundary = evaluator.first(t_min, far)) {
+      // Rounded to the ray's precision it may not be behind t_min any more.
+      if (static_cast<T>(boundary->t) > ray.t_min) return see(id, crossing_of(*boundary));
+      t_min = boundary->t;
+    }
+    return true;
+  }
+
+  const SolidSet<level>& solids_;
+  std::span<const std::uint32_t> order_;
+  Probe& probe_;
+};
+
+}  // namespace sightline
