@@ -91,7 +91,8 @@ int order_of(const Root& a, const Root& b) {
 }  // namespace
 
 RootList settled_roots(const Surface& surface, const FramedRay& ray, Level level) {
-  if (const auto wide = wide_roots(surface, ray); wide && (level != Level::exact || are_rounded(*wide))) return *wide;
+  const auto wide = wide_roots(surface, ray);
+  if (wide && (level == Level::exact ? are_rounded(*wide) : is_accurate(*wide, level))) return *wide;
   return exact_roots(surface, ray);
 }
 
