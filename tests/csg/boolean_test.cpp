@@ -8,15 +8,15 @@ namespace sightline {
 namespace {
 
 enum class Outcome { enter, leave, discard };
-enum class Normal { kept, flipped };
-constexpr Outcome enter = Outcome::enter, leave = Outcome::leave, discard = Outcome::discard;
-constexpr Normal kept = Normal::kept, flipped = Normal::flipped;
 
-/// Of one operation; normals matter where something is entered or left.
+/// Of one operation; whether the normal is flipped matters where something is entered or left.
 struct Expected {
   Outcome outcome;
-  Normal normal = kept;
+  bool is_flipped = false;
 };
+constexpr Expected none{Outcome::discard}, enter{Outcome::enter}, leave{Outcome::leave};
+constexpr Expected enter_flipped{Outcome::enter, true}, leave_flipped{Outcome::leave, true};
+
 struct Row {
   bool was_in_a, is_in_a, was_in_b, is_in_b;
   Expected unite, intersect, subtract, differ;
@@ -24,33 +24,36 @@ struct Row {
 
 /// The table of the course: what a ray does that goes from (wasInA, wasInB) to (isInA, isInB). Where both change, the
 /// normal is that of A.
+// clang-format off
 constexpr std::array<Row, 16> table{{
-    // A: was, is; B: was, is    A | B             A & B             A - B             A ^ B
-    {0, 0, 0, 0, /**/ {discard}, /*    */ {discard}, /**/ {discard}, /*       */ {discard}},
-    {0, 0, 0, 1, /**/ {enter, kept}, /**/ {discard}, /**/ {discard}, /*       */ {enter, kept}},
-    {0, 0, 1, 0, /**/ {leave, kept}, /**/ {discard}, /**/ {discard}, /*       */ {leave, kept}},
-    {0, 0, 1, 1, /**/ {discard}, /*    */ {discard}, /**/ {discard}, /*       */ {discard}},
-    {0, 1, 0, 0, /**/ {enter, kept}, /**/ {discard}, /**/ {enter, kept}, /*   */ {enter, kept}},
-    {0, 1, 0, 1, /**/ {enter, kept}, /**/ {enter, kept}, {discard}, /*        */ {discard}},
-    {0, 1, 1, 0, /**/ {discard}, /*    */ {discard}, /**/ {enter, kept}, /*   */ {discard}},
-    {0, 1, 1, 1, /**/ {discard}, /*    */ {enter, kept}, {discard}, /*        */ {leave, flipped}},
-    {1, 0, 0, 0, /**/ {leave, kept}, /**/ {discard}, /**/ {leave, kept}, /*   */ {leave, kept}},
-    {1, 0, 0, 1, /**/ {discard}, /*    */ {discard}, /**/ {leave, kept}, /*   */ {discard}},
-    {1, 0, 1, 0, /**/ {leave, kept}, /**/ {leave, kept}, {discard}, /*        */ {discard}},
-    {1, 0, 1, 1, /**/ {discard}, /*    */ {leave, kept}, {discard}, /*        */ {enter, flipped}},
-    {1, 1, 0, 0, /**/ {discard}, /*    */ {discard}, /**/ {discard}, /*       */ {discard}},
-    {1, 1, 0, 1, /**/ {discard}, /*    */ {enter, kept}, {leave, flipped}, /* */ {leave, flipped}},
-    {1, 1, 1, 0, /**/ {discard}, /*    */ {leave, kept}, {enter, flipped}, /* */ {enter, flipped}},
-    {1, 1, 1, 1, /**/ {discard}, /*    */ {discard}, /**/ {discard}, /*       */ {discard}},
+    // A: was, is; B: was, is
+    //            A | B  A & B  A - B          A ^ B
+    {0, 0, 0, 0, none,  none,  none,           none},
+    {0, 0, 0, 1, enter, none,  none,           enter},
+    {0, 0, 1, 0, leave, none,  none,           leave},
+    {0, 0, 1, 1, none,  none,  none,           none},
+    {0, 1, 0, 0, enter, none,  enter,          enter},
+    {0, 1, 0, 1, enter, enter, none,           none},
+    {0, 1, 1, 0, none,  none,  enter,          none},
+    {0, 1, 1, 1, none,  enter, none,           leave_flipped},
+    {1, 0, 0, 0, leave, none,  leave,          leave},
+    {1, 0, 0, 1, none,  none,  leave,          none},
+    {1, 0, 1, 0, leave, leave, none,           none},
+    {1, 0, 1, 1, none,  leave, none,           enter_flipped},
+    {1, 1, 0, 0, none,  none,  none,           none},
+    {1, 1, 0, 1, none,  enter, leave_flipped,  leave_flipped},
+    {1, 1, 1, 0, none,  leave, enter_flipped,  enter_flipped},
+    {1, 1, 1, 1, none,  none,  none,           none},
 }};
+// clang-format on
 
 void check(Operation operation, const Transition& step, const Expected& expected) {
   const bool was = was_inside(operation, step), is = is_inside(operation, step);
-  const Outcome outcome = !is_kept(operation, step) ? discard : is ? enter : leave;
+  const Outcome outcome = !is_kept(operation, step) ? Outcome::discard : is ? Outcome::enter : Outcome::leave;
   EXPECT_EQ(outcome, expected.outcome);
-  EXPECT_EQ(was == is, expected.outcome == discard);
-  if (expected.outcome != discard) {
-    EXPECT_EQ(flips_normal(operation, step), expected.normal == flipped);
+  EXPECT_EQ(was == is, expected.outcome == Outcome::discard);
+  if (was != is) {
+    EXPECT_EQ(flips_normal(operation, step), expected.is_flipped);
   }
 }
 
