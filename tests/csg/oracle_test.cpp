@@ -19,21 +19,36 @@ void expect_truth(const SolidTree& tree, const Solid& solid, const Ray<double>& 
   }
 }
 
-/// Shared planes, tangent spheres, equal parts, rays through vertices, along edges and in faces.
-TEST(Oracle, AgreesOnTenThousandTrees) {
-  Random random(4);
-  const Dice dice = dice_of(random);
-  std::size_t ends = 0;
-  for (int i = 0; i < 10'000 && !testing::Test::HasFailure(); ++i) {
-    const SolidTree tree = random_tree(dice, 1 + i % 4, lattice_primitive);
+/// Of so many trees, each of which three rays are fired at.
+std::size_t boundaries_of(const Dice& dice, int trees, const std::function<SolidTree(const Dice&)>& primitive) {
+  std::size_t count = 0;
+  for (int i = 0; i < trees && !testing::Test::HasFailure(); ++i) {
+    const SolidTree tree = random_tree(dice, 1 + i % 4, primitive);
     const Solid solid(tree);
     for (int k = 0; k < 3; ++k) {
       const Ray<double> ray = lattice_ray(dice);
       expect_truth(tree, solid, ray);
-      ends += oracle::exact_spans(tree, ray).ends.size();
+      count += oracle::exact_spans(tree, ray).ends.size();
     }
   }
-  EXPECT_GT(ends, 20'000u);
+  return count;
+}
+
+/// Shared planes, tangent spheres, equal parts, rays through vertices, along edges and in faces.
+TEST(Oracle, AgreesOnTenThousandTrees) {
+  Random random(4);
+  EXPECT_GT(boundaries_of(dice_of(random), 10'000, lattice_primitive), 20'000u);
+}
+
+/// Cylinders, cones, quadrics and convex meshes as well, turned and moved.
+TEST(Oracle, AgreesOnOtherShapes) {
+  Random random(5);
+  const auto known = [](const Dice& dice) {
+    SolidTree tree = any_primitive(dice);
+    while (std::holds_alternative<Torus>(tree.shape)) tree = any_primitive(dice);
+    return tree;
+  };
+  EXPECT_GT(boundaries_of(dice_of(random), 3'000, known), 6'000u);
 }
 
 }  // namespace
