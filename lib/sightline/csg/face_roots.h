@@ -3,6 +3,7 @@
 
 #include "sightline/csg/settle.h"
 #include "sightline/math/quadratic.h"
+#include "sightline/math/quartic.h"
 
 namespace sightline {
 
@@ -39,7 +40,9 @@ RootList roots_of(const solid::QuadraticForm<N>& form) {
 template <Level level, class S>
 RootList face_roots(const S& surface, const LocalRay<level>& ray) {
   if constexpr (std::is_same_v<S, solid::Torus>) {
-    return torus_roots(surface, ray, level);
+    if (level != Level::fast) return certain_roots(surface, ray, level);
+    if (!ray.frame()) return torus_roots(surface, ray.ray(), level);
+    return quartic_roots(polynomial(surface, ray.line()));
   } else {
     const RootList list = detail::roots_of(solid::form_of(surface, ray.line()));
     if constexpr (level == Level::fast) return list;
