@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "sightline/csg/solid.h"
@@ -24,5 +25,8 @@ Spans spans_of(const Solid& solid, const Ray<double>& ray, Level level);
 
 /// The first boundary in (t_min, t_max].
 std::optional<Boundary> first_of(const Solid& solid, const Ray<double>& ray, double t_min, double t_max, Level level);
+
+/// Of the registry.
+std::vector<std::string_view> accelerator_names();
 
 }  // namespace sightline
