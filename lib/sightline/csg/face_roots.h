@@ -2,7 +2,6 @@
 /// Where a line crosses a face, as accurately as a level asks for.
 
 #include "sightline/csg/settle.h"
-#include "sightline/math/level.h"
 #include "sightline/math/quadratic.h"
 #include "sightline/math/quartic.h"
 
@@ -34,18 +33,6 @@ RootList roots_of(const solid::QuadraticForm<N>& form) {
   return quadratic_roots(form.a, form.b, form.c);
 }
 
-/// A double's proven bound that is not worth improving at a level.
-template <Level level>
-bool is_accurate(const RootList& list) {
-  if (!list.is_certain) return false;
-  constexpr double share = level == Level::watertight ? 0x1p-46 : 0x1p-52;
-  for (int i = 0; i < list.count; ++i) {
-    const Root& root = list.roots[static_cast<std::size_t>(i)];
-    if (!(root.radius <= share * std::fabs(root.t))) return false;
-  }
-  return true;
-}
-
 }  // namespace detail
 
 /// Levels above fast are certain of number, order and multiplicities, and t is off by less than 2^-46 of itself
@@ -59,7 +46,7 @@ RootList face_roots(const S& surface, const LocalRay<level>& ray) {
   } else {
     const RootList list = detail::roots_of(solid::form_of(surface, ray.line()));
     if constexpr (level == Level::fast) return list;
-    if (level != Level::exact && detail::is_accurate<level>(list)) [[likely]]
+    if (level != Level::exact && is_accurate(list, level)) [[likely]]
       return list;
     return settled_roots(surface, ray, level);
   }

@@ -2,14 +2,27 @@
 /// What doubles and their bounds could not tell: some hundred bits, then exact algebra. Rarely reached, and so compiled
 /// apart.
 
+#include <cmath>
+
 #include "sightline/csg/primitive.h"
 #include "sightline/math/level.h"
 #include "sightline/math/root_list.h"
 
 namespace sightline {
 
-/// Roots of a surface's polynomial along a ray: number, order and multiplicities are certain. At level exact each t is
-/// correctly rounded.
+/// Whether all is known of roots that a level below exact asks for: t to this part of itself.
+inline bool is_accurate(const RootList& list, Level level) {
+  if (!list.is_certain) return false;
+  const double share = level == Level::watertight ? 0x1p-46 : 0x1p-52;
+  for (int i = 0; i < list.count; ++i) {
+    const Root& root = list.roots[static_cast<std::size_t>(i)];
+    if (!(root.radius <= share * std::fabs(root.t))) return false;
+  }
+  return true;
+}
+
+/// Roots of a surface's polynomial along a ray: number, order and multiplicities are certain. Each t is as accurate as
+/// the level asks for, at level exact correctly rounded.
 RootList settled_roots(const Surface& surface, const FramedRay& ray, Level level);
 
 /// The same of a torus, from doubles on, at any level but fast.
