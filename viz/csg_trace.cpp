@@ -1,0 +1,291 @@
+#include "viz/csg_trace.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sightline/csg/evaluator.h"
+#include "viz/material_color.h"
+
+namespace sightline::viz {
+namespace {
+
+constexpr int side = 2;  // rays of a pixel, across and down
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t no_face = 0xffff'ffff;
+
+Vec3d linear_of(const Rgb& color) {
+  return {linear_from_srgb(color[0]), linear_from_srgb(color[1]), linear_from_srgb(color[2])};
+}
+
+Vec3d color_of(const LadderSolid& solid, std::uint32_t primitive) {
+  return linear_of(material_color(solid.material(primitive), primitive));
+}
+
+std::uint32_t key_of(const Boundary& boundary) { return boundary.primitive * 64 + boundary.face % 64; }
+
+/// What one ray sees of one solid.
+struct Sight {
+  double t = infinity;
+  std::uint32_t key = no_face;
+  float facing = 0;  ///< Cosine between view and normal.
+};
+
+struct GhostSight {
+  Sight front, back;
+};
+
+/// Averages blocks of linear light.
+ColorGrid averaged(const std::vector<Vec3f>& light, int width, int height) {
+  ColorGrid grid{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 3)};
+  tbb::parallel_for(0, height, [&](int y) {
+    for (int x = 0; x < width; ++x) {
+      Vec3d sum(0);
+      for (int i = 0; i < side * side; ++i) {
+        sum += Vec3d(light[(static_cast<std::size_t>(y) * side + i / side) * width * side + x * side + i % side]);
+      }
+      for (int c = 0; c < 3; ++c) {
+        const double value = srgb_from_linear(sum[c] / (side * side));
+        grid.bytes[(static_cast<std::size_t>(y) * width + x) * 3 + c] =
+            static_cast<std::uint8_t>(std::lround(255 * value));
+      }
+    }
+  });
+  return grid;
+}
+
+template <Level level>
+class Tracing {
+ public:
+  Tracing(const LadderSolid& solid, const std::vector<std::uint32_t>& ghosts, const Camera& camera)
+      : solid_(solid), ghosts_(ghosts), camera_(camera), width_(camera.width * side), height_(camera.height * side) {
+    const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    light_.resize(pixels);
+    sights_.resize(pixels);
+    ghost_sights_.resize(pixels * ghosts.size());
+    const Vec3d right = glm::normalize(camera.right), up = glm::normalize(camera.up);
+    key_light_ = glm::normalize(-0.55 * right + 0.9 * up - 0.75 * camera.forward);
+  }
+
+  SolidView run() {
+    tbb::parallel_for(0, height_, [&](int y) {
+      for (int x = 0; x < width_; ++x) look(x, y);
+    });
+    tbb::parallel_for(0, height_, [&](int y) {
+      for (int x = 0; x < width_; ++x) blend(x, y);
+    });
+    SolidView view{averaged(light_, camera_.width, camera_.height), {}};
+    for (int y = 0; y < camera_.height; ++y) {
+      for (int x = 0; x < camera_.width; ++x) view.depths.push_back(sights_[at(x * side, y * side)].t);
+    }
+    return view;
+  }
+
+ private:
+  std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * width_ + x; }
+  Ray<double> ray(int x, int y) const { return ray_through(camera_, (x + 0.5) / side, (y + 0.5) / side); }
+
+  void look(int x, int y) {
+    const Ray<double> ray = this->ray(x, y);
+    NoSolidProbe probe;
+    const std::size_t pixel = at(x, y);
+    SolidEvaluator<level> evaluator(solid_.quick(), ray, probe);
+    const double share = double(y) / height_;
+    Vec3d light = Vec3d(0.955, 0.97, 0.985) - Vec3d(0.12, 0.11, 0.095) * share;
+    if (const auto boundary = evaluator.first(0, infinity)) {
+      const Vec3d view = glm::normalize(ray.direction);
+      Vec3d normal = solid_.quick().normal(*boundary, ray);
+      if (glm::dot(normal, view) > 0) normal = -normal;
+      sights_[pixel] = {boundary->t, key_of(*boundary), static_cast<float>(-glm::dot(normal, view))};
+      light = shade(color_of(solid_, boundary->primitive), normal, view, ray.at(boundary->t));
+    }
+    light_[pixel] = Vec3f(light);
+    for (std::size_t i = 0; i < ghosts_.size(); ++i) {
+      const Solid& part = solid_.parts()[ghosts_[i]];
+      SolidEvaluator<level> ghost(part, ray, probe);
+      const SpanList list = ghost.spans({0, infinity});
+      if (list.count == 0) continue;
+      const auto sight = [&](const Boundary& b) -> Sight {
+        return {b.t, b.face,
+                static_cast<float>(std::fabs(glm::dot(part.normal(b, ray), glm::normalize(ray.direction))))};
+      };
+      ghost_sights_[pixel * ghosts_.size() + i] = {sight(ghost[list].front()), sight(ghost[list].back())};
+    }
+  }
+
+  Vec3d shade(const Vec3d& color, const Vec3d& normal, const Vec3d& view, const Vec3d& point) const {
+    const double sky = 0.5 + 0.5 * normal.y;
+    double key = std::fmax(0, glm::dot(normal, key_light_));
+    if (key > 0) {
+      NoSolidProbe probe;
+      // Lifted off the surface, by far more than the point is rounded and less than a pixel shows.
+      const double lift = 1e-6 * (1 + max_norm(point));
+      const Ray<double> shadow{point + lift * normal, key_light_};
+      if (SolidEvaluator<level>(solid_.quick(), shadow, probe).first(0, infinity)) key *= 0.25;
+    }
+    const double head = -glm::dot(normal, view);
+    const Vec3d half = glm::normalize(key_light_ - view);
+    const double shine = 0.12 * std::pow(std::fmax(0, glm::dot(normal, half)), 40) * (key > 0);
+    return color * (0.16 + 0.14 * sky + 0.62 * key + 0.24 * head) + Vec3d(shine);
+  }
+
+  /// Whether a neighbor shows another face.
+  template <class Get>
+  bool is_edge(int x, int y, Get&& get) const {
+    const std::uint32_t key = get(at(x, y));
+    return (x + 1 < width_ && get(at(x + 1, y)) != key) || (y + 1 < height_ && get(at(x, y + 1)) != key);
+  }
+
+  void blend(int x, int y) {
+    const std::size_t pixel = at(x, y);
+    Vec3d light(light_[pixel]);
+    const Sight& seen = sights_[pixel];
+    if (is_edge(x, y, [&](std::size_t p) { return sights_[p].key; })) light *= 0.45;
+    for (std::size_t i = 0; i < ghosts_.size(); ++i) {
+      const auto ghost_at = [&](std::size_t p) -> const GhostSight& { return ghost_sights_[p * ghosts_.size() + i]; };
+      const Vec3d color = color_of(solid_, ghosts_[i]);
+      for (const bool is_front : {false, true}) {
+        const auto get = [&](std::size_t p) -> const Sight& { return is_front ? ghost_at(p).front : ghost_at(p).back; };
+        const Sight& ghost = get(pixel);
+        const bool is_hidden = !(ghost.t < seen.t * (1 - 1e-9));
+        const bool is_line = !is_hidden && is_edge(x, y, [&](std::size_t p) { return get(p).key; });
+        if (ghost.key == no_face || is_hidden) continue;
+        const double rim = std::pow(1 - ghost.facing, 3);
+        const double share = is_line ? (is_front ? 0.75 : 0.35) : (is_front ? 0.07 + 0.30 * rim : 0.03);
+        light = light * (1 - share) + color * share;
+      }
+    }
+    light_[pixel] = Vec3f(light);
+  }
+
+  const LadderSolid& solid_;
+  const std::vector<std::uint32_t>& ghosts_;
+  const Camera& camera_;
+  int width_, height_;
+  Vec3d key_light_;
+  std::vector<Vec3f> light_;
+  std::vector<Sight> sights_;
+  std::vector<GhostSight> ghost_sights_;
+};
+
+/// Where a line is inside of each of up to 64 solids, a bit each, sampled from the left.
+template <Level level>
+void sample(const Solid& solid, const Ray<double>& ray, const SectionPlane& plane, int bit,
+            std::span<std::uint64_t> samples) {
+  NoSolidProbe probe;
+  SolidEvaluator<level> evaluator(solid, ray, probe);
+  const SpanList list = evaluator.spans();
+  const double step = (plane.t_max - plane.t_min) / static_cast<double>(samples.size());
+  const auto boundaries = evaluator[list];
+  bool is_inside = list.begins_inside;
+  std::size_t next = 0;
+  for (std::size_t x = 0; x < samples.size(); ++x) {
+    const double t = plane.t_min + (static_cast<double>(x) + 0.5) * step;
+    for (; next < boundaries.size() && boundaries[next].t <= t; ++next) is_inside = !is_inside;
+    if (is_inside) samples[x] |= std::uint64_t{1} << bit;
+  }
+}
+
+constexpr int whole = 63;  // the bit of the solid itself
+
+/// Fills the parts by their materials, and draws where they end; thick where the solid does.
+Vec3d section_color(const LadderSolid& solid, const std::vector<std::uint32_t>& outlined,
+                    const std::vector<std::uint64_t>& masks, int width, int height, int x, int y) {
+  const auto mask = [&](int i, int j) {
+    return masks[static_cast<std::size_t>(std::clamp(j, 0, height - 1)) * width + std::clamp(i, 0, width - 1)];
+  };
+  const std::uint64_t here = mask(x, y);
+  const auto changes = [&](int reach) {
+    return (here ^ mask(x + reach, y)) | (here ^ mask(x - reach, y)) | (here ^ mask(x, y + reach)) |
+           (here ^ mask(x, y - reach));
+  };
+  const std::uint64_t wide = changes(2), narrow = changes(1);
+  const bool is_inside = (here >> whole & 1) != 0;
+  const auto first_of = [&](std::uint64_t bits) -> std::optional<Vec3d> {
+    for (std::size_t i = 0; i < outlined.size(); ++i) {
+      if ((bits >> i & 1) != 0) return color_of(solid, outlined[i]);
+    }
+    return std::nullopt;
+  };
+  if ((wide >> whole & 1) != 0) return 0.85 * first_of(wide).value_or(Vec3d(0.05));
+  const Vec3d fill = first_of(here).value_or(Vec3d(0.35));
+  Vec3d light = is_inside ? 0.52 * Vec3d(1) + 0.48 * fill : Vec3d(0.965, 0.975, 0.985);
+  if (const auto line = first_of(narrow)) light = 0.35 * light + 0.65 * *line;
+  return light;
+}
+
+template <class Run>
+auto with_level(Level level, Run&& run) {
+  switch (level) {
+    case Level::fast:
+      return run.template operator()<Level::fast>();
+    case Level::watertight:
+      return run.template operator()<Level::watertight>();
+    case Level::precise:
+      return run.template operator()<Level::precise>();
+    case Level::exact:
+      break;
+  }
+  return run.template operator()<Level::exact>();
+}
+
+}  // namespace
+
+Camera camera_for(const LadderSolid& solid, int width, int height) {
+  Aabb bounds = solid.plain().extent();
+  if (bounds.is_empty()) bounds = {Vec3f(-1), Vec3f(1)};
+  return Camera::facing(bounds, width, height);
+}
+
+Ray<double> ray_through(const Camera& camera, double x, double y) {
+  const double across = 2 * x / camera.width - 1, upward = 1 - 2 * y / camera.height;
+  return {camera.eye, glm::normalize(camera.forward + across * camera.right + upward * camera.up)};
+}
+
+SolidView trace_solid(const LadderSolid& solid, const std::vector<std::uint32_t>& ghosts, const Camera& camera,
+                      Level level) {
+  return with_level(level, [&]<Level l>() { return Tracing<l>(solid, ghosts, camera).run(); });
+}
+
+ColorGrid trace_section(const LadderSolid& solid, const std::vector<std::uint32_t>& outlined, const Ray<double>& ray,
+                        const SectionPlane& plane, int width, int height, Level level) {
+  const int columns = width * side, rows = height * side;
+  const double per_sample = (plane.t_max - plane.t_min) * glm::length(ray.direction) / columns;
+  std::vector<std::uint64_t> masks(static_cast<std::size_t>(columns) * rows);
+  with_level(level, [&]<Level l>() {
+    tbb::parallel_for(0, rows, [&](int y) {
+      Ray<double> beside = ray;
+      beside.origin += plane.up * ((rows - 1 - 2 * y) * 0.5 * per_sample);
+      const std::span samples(&masks[static_cast<std::size_t>(y) * columns], static_cast<std::size_t>(columns));
+      sample<l>(solid.quick(), beside, plane, whole, samples);
+      for (std::size_t i = 0; i < outlined.size(); ++i) {
+        sample<l>(solid.parts()[outlined[i]], beside, plane, static_cast<int>(i), samples);
+      }
+    });
+    return 0;
+  });
+  std::vector<Vec3f> light(masks.size());
+  tbb::parallel_for(0, rows, [&](int y) {
+    for (int x = 0; x < columns; ++x) {
+      light[static_cast<std::size_t>(y) * columns + x] =
+          Vec3f(section_color(solid, outlined, masks, columns, rows, x, y));
+    }
+  });
+  return averaged(light, width, height);
+}
+
+std::vector<std::uint32_t> primitives_to_show(const LadderSolid& solid, const Ladder& ladder, std::size_t count) {
+  std::vector<std::uint32_t> chosen;
+  for (const bool is_met : {true, false}) {
+    for (const LadderRow& row : ladder.rows) {
+      if (row.kind != SolidTree::Kind::primitive || row.boundaries.empty() == is_met) continue;
+      if (chosen.size() < count && solid.parts()[row.primitive].is_bounded()) chosen.push_back(row.primitive);
+    }
+  }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+}  // namespace sightline::viz
