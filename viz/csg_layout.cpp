@@ -8,7 +8,8 @@ namespace sightline::viz {
 namespace {
 
 constexpr double operation_height = 54, other_height = 31, axis_height = 50;
-constexpr double largest_section = 250, smallest_section = 90, smallest_scale = 0.66;
+constexpr double largest_section = 440, smallest_section = 90, smallest_scale = 0.66, largest_scale = 1.25;
+constexpr double good_section = 270;
 
 double height_of(const LadderRow& row) {
   return row.kind == SolidTree::Kind::operation ? operation_height : other_height;
@@ -82,7 +83,7 @@ void choose_range(LadderLayout& layout, const Ladder& ladder, const LadderSolid&
     lo = nearest - reach / length, hi = nearest + reach / length;
   }
   const double width = hi - lo;
-  layout.has_origin = lo - 0.7 * width <= 0 && hi + 0.7 * width >= 0;
+  layout.has_origin = lo - 1.2 * width <= 0 && hi + 1.2 * width >= 0;
   if (layout.has_origin) lo = std::min(lo, 0.0), hi = std::max(hi, 0.0);
   layout.t_min = lo - 0.07 * (hi - lo), layout.t_max = hi + 0.07 * (hi - lo);
 }
@@ -108,16 +109,16 @@ LadderLayout lay_out(const CsgLayout& layout, const Ladder& ladder, const Ladder
     rows.rows = choice.rows();
   }
   const double needed = total(rows.rows);
-  rows.section_height = std::clamp(room - needed - 14, 0.0, largest_section);
-  if (rows.section_height < smallest_section) rows.section_height = smallest_section;
-  double left = room - rows.section_height - 14;
-  rows.scale = std::clamp(left / needed, smallest_scale, 1.0);
-  rows.rows_top = CsgLayout::top + rows.section_height + 14;
+  const double gap = 14;
+  rows.scale = std::clamp((room - gap - good_section) / needed, smallest_scale, largest_scale);
+  rows.section_height = std::clamp(room - gap - needed * rows.scale, smallest_section, largest_section);
+  double left = room - gap - rows.section_height;
+  rows.rows_top = CsgLayout::top + rows.section_height + gap;
   double y = rows.rows_top;
   for (std::size_t i = 0; i < rows.rows.size(); ++i) {
     ShownRow& row = rows.rows[i];
     row.height *= rows.scale;
-    if (row.height > left) {
+    if (row.height > left + 1) {  // but for rounding
       rows.cut = rows.rows.size() - i;
       rows.rows.resize(i);
       break;

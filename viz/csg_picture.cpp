@@ -204,7 +204,9 @@ void draw_materials(Canvas& canvas, const CsgLayout& layout, const LadderSolid& 
     x += width;
   }
   canvas.text({CsgLayout::margin, y + 27},
-              "The solid, its operands as ghosts, and the ray: thick where it is inside the solid", {13.5, soft_ink});
+              is_endless(solid) ? "The solid goes on without end: it is seen from within, as far as its holes"
+                                : "The solid, its operands as ghosts, and the ray: thick where it is inside the solid",
+              {13.5, soft_ink});
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ class RowsDrawing {
     const double left = layout_.tree_left() - 6, right = layout_.bars_right() + 14;
     for (const ShownRow& row : rows_.rows) {
       if (node(row).kind != SolidTree::Kind::operation) continue;
-      canvas_.rectangle({left, row.y + 1}, right - left, row.height - 2, {0.957, 0.963, 0.975});
+      canvas_.rectangle({left, row.y + 1}, right - left, row.height - 2, band);
     }
     if (rows_.has_origin && rows_.t_min < 0) {
       const double x = layout_.bars_left();
@@ -136,7 +136,8 @@ class RowsDrawing {
       if (right + canvas_.text_width(material, fine) < layout_.bars_left() - 6)
         canvas_.text({right, y}, material, fine);
     }
-    if (n.is_fold && row.height > 30) canvas_.text({right, y + 17 * scale}, "of a pair", {11.5 * scale, soft_ink});
+    if (n.is_fold && row.height > 30)
+      canvas_.text({right, y + 17 * scale}, "folded in pairs", {11.5 * scale, soft_ink});
   }
 
   void draw_bar(const ShownRow& row) {
@@ -175,6 +176,7 @@ class RowsDrawing {
       draw_mark({x, y}, step.is_kept);
       if (std::fabs(places[i] - x) > 3) canvas_.line({x, y + 6 * scale}, {places[i], upper - 7 * scale}, 1, soft_ink);
       const Transition& c = step.change;
+      canvas_.rectangle({places[i] - 9 * scale, upper - 7 * scale}, 18 * scale, 27 * scale, band);
       draw_pair(places[i], upper, c.was_in_a, c.is_in_a, size);
       draw_pair(places[i], lower, c.was_in_b, c.is_in_b, size);
     }
@@ -193,7 +195,7 @@ class RowsDrawing {
   /// Bold where it changes.
   void draw_pair(double x, double y, bool was, bool is, double size) {
     const std::string text = std::string(was ? "1" : "0") + (is ? "1" : "0");
-    canvas_.text({x, y}, text, {size, was != is ? ink : faint_ink, Align::center, was != is});
+    canvas_.text({x, y}, text, {size, was != is ? ink : soft_ink, Align::center, was != is});
   }
 
   /// Moves what stands too close apart, no farther than it must.
@@ -295,7 +297,7 @@ void draw_legend(Canvas& canvas, const CsgLayout& layout, const Ladder& ladder) 
   constexpr std::array names{"union", "intersection", "difference", "symmetric difference"};
   const auto kind = static_cast<std::size_t>(root.operation);
   canvas.text({layout.tree_left(), y + 27},
-              std::string("A ") + names[kind] + " keeps a transition where  " + rules[kind], {13.5, soft_ink});
+              std::string("In the ") + names[kind] + " a transition is kept where  " + rules[kind], {13.5, soft_ink});
 }
 
 std::string short_text(double number) {

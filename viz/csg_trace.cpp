@@ -60,7 +60,12 @@ template <Level level>
 class Tracing {
  public:
   Tracing(const LadderSolid& solid, const std::vector<std::uint32_t>& ghosts, const Camera& camera)
-      : solid_(solid), ghosts_(ghosts), camera_(camera), width_(camera.width * side), height_(camera.height * side) {
+      : solid_(solid),
+        ghosts_(ghosts),
+        camera_(camera),
+        is_endless_(is_endless(solid)),
+        width_(camera.width * side),
+        height_(camera.height * side) {
     const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     light_.resize(pixels);
     sights_.resize(pixels);
@@ -94,7 +99,9 @@ class Tracing {
     SolidEvaluator<level> evaluator(solid_.quick(), ray, probe);
     const double share = double(y) / height_;
     Vec3d light = Vec3d(0.955, 0.97, 0.985) - Vec3d(0.12, 0.11, 0.095) * share;
-    if (const auto boundary = evaluator.first(0, infinity)) {
+    const auto boundary = evaluator.first(0, infinity);
+    if (!boundary && is_endless_) light = 0.45 * light + 0.55 * color_of(solid_, 0);
+    if (boundary) {
       const Vec3d view = glm::normalize(ray.direction);
       Vec3d normal = solid_.quick().normal(*boundary, ray);
       if (glm::dot(normal, view) > 0) normal = -normal;
@@ -163,6 +170,7 @@ class Tracing {
   const LadderSolid& solid_;
   const std::vector<std::uint32_t>& ghosts_;
   const Camera& camera_;
+  bool is_endless_;
   int width_, height_;
   Vec3d key_light_;
   std::vector<Vec3f> light_;
@@ -210,7 +218,7 @@ Vec3d section_color(const LadderSolid& solid, const std::vector<std::uint32_t>& 
     return std::nullopt;
   };
   if ((wide >> whole & 1) != 0) return 0.85 * first_of(wide).value_or(Vec3d(0.05));
-  const Vec3d fill = first_of(here).value_or(Vec3d(0.35));
+  const Vec3d fill = first_of(here).value_or(first_of(~std::uint64_t{0}).value_or(Vec3d(0.35)));
   Vec3d light = is_inside ? 0.52 * Vec3d(1) + 0.48 * fill : Vec3d(0.965, 0.975, 0.985);
   if (const auto line = first_of(narrow)) light = 0.35 * light + 0.65 * *line;
   return light;
@@ -233,10 +241,35 @@ auto with_level(Level level, Run&& run) {
 
 }  // namespace
 
+bool is_endless(const LadderSolid& solid) {
+  const Solid& tree = solid.quick();
+  if (tree.is_bounded()) return tree.root().is_complement;
+  NoSolidProbe probe;
+  const Ray<double> ray{{0, 0, 0}, {-0.62, 0.42, 1}};
+  SolidEvaluator<Level::watertight> evaluator(tree, ray, probe);
+  const SpanList list = evaluator.spans();
+  return list.begins_inside != (list.count % 2 != 0);
+}
+
 Camera camera_for(const LadderSolid& solid, int width, int height) {
-  Aabb bounds = solid.plain().extent();
-  if (bounds.is_empty()) bounds = {Vec3f(-1), Vec3f(1)};
-  return Camera::facing(bounds, width, height);
+  constexpr double field_of_view = 28, share = 0.84;  // of the panel, by the solid's box
+  const Aabb& extent = solid.plain().extent();
+  const Vec3d lo = extent.is_empty() ? Vec3d(-1) : Vec3d(extent.lo),
+              hi = extent.is_empty() ? Vec3d(1) : Vec3d(extent.hi);
+  const Vec3d middle = 0.5 * (lo + hi), toward_eye = glm::normalize(Vec3d(-0.62, 0.42, 1));
+  // Rays like to come from the left, and should be seen to arrive.
+  const Camera near = Camera::looking_at(middle + toward_eye, middle, {0, 1, 0}, field_of_view, width, height);
+  const double across = share * glm::length(near.right), upward = share * glm::length(near.up);
+  const Vec3d right = glm::normalize(near.right), up = glm::normalize(near.up);
+  double distance = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3d q = Vec3d((corner & 1) ? hi.x : lo.x, (corner & 2) ? hi.y : lo.y, (corner & 4) ? hi.z : lo.z) - middle;
+    const double nearer = glm::dot(q, toward_eye);
+    distance = std::max(
+        {distance, nearer + std::fabs(glm::dot(q, right)) / across, nearer + std::fabs(glm::dot(q, up)) / upward});
+  }
+  if (!(distance > 0)) distance = 1;
+  return Camera::looking_at(middle + distance * toward_eye, middle, {0, 1, 0}, field_of_view, width, height);
 }
 
 Ray<double> ray_through(const Camera& camera, double x, double y) {

@@ -9,6 +9,9 @@
 
 namespace sightline::viz {
 
+/// Whether the solid goes on without end toward the camera, which then stands in it, and sees its holes.
+bool is_endless(const LadderSolid& solid);
+
 /// Sees all of the solid's bounded parts, y upward.
 Camera camera_for(const LadderSolid& solid, int width, int height);
 

@@ -108,7 +108,7 @@ constexpr Vector from_left{-2.4, 0.35, 0.45}, to_right{1, 0, 0};
 
 /// What is looked at first comes first.
 constexpr auto infos = std::to_array<SolidInfo>({
-    {"widget", "(box & sphere) - three cylinders", 0, 0, 0, {-2.4, 0.35, 0.75}, {1, 0, -0.125}},
+    {"widget", "(box & sphere) - three cylinders", 0, 0, 0, {-2.375, 0.5, 0.40625}, {1, 0.03125, -0.0625}},
     {"lens", "sphere & sphere: volume 5/12 pi", 0, 0, 0, {-2.25, 0.25, 0}, {1, 0, 0}},
     {"lune", "sphere - sphere: 11/12 pi", 0, 0, 0, {-2.25, 0.25, 0}, {1, 0, 0}},
     {"peanut", "sphere | sphere: 9/4 pi", 0, 0, 0, {-2.25, 0.25, 0}, {1, 0, 0}},
