@@ -4,6 +4,7 @@
 #include <vtkRendererCollection.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -161,7 +162,12 @@ class RayDrawing {
     for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
       canvas_.line({place.x + 6 * x, place.y + 6 * y}, {place.x + 20 * x, place.y + 20 * y}, 2, color);
     }
-    canvas_.text({place.x + 24, place.y - 16}, "the ray, seen from its origin", {13, color, Align::left, true});
+    const Canvas::TextStyle style{13, color, Align::center, true};
+    const std::string text = "the ray, from its origin";
+    const double half = canvas_.text_width(text, style) / 2 + 7, y = place.y + 36;
+    const double x = std::clamp(place.x, left_ + half + 4, left_ + camera_.width / unit_ - half - 4);
+    canvas_.rectangle({x - half, y - 11}, 2 * half, 22, {1, 1, 1}, 0.88);
+    canvas_.text({x, y}, text, style);
   }
 
   Canvas& canvas_;
@@ -262,6 +268,11 @@ void CsgPicture::show_in(vtkRenderWindow& window, int scale) const {
   canvas.text({layout.tree_left(), CsgLayout::top + 31}, "t runs to the right, as below;", {13.5, soft_ink});
   canvas.text({layout.tree_left(), CsgLayout::top + 48}, "thick: the solid's boundary,", {13.5, soft_ink});
   canvas.text({layout.tree_left(), CsgLayout::top + 65}, "fine: its operands'", {13.5, soft_ink});
+  if (!rows.has_origin) {
+    canvas.text({layout.bars_left() - 8, middle},
+                std::string("t = 0 is far to the ") + (rows.t_min > 0 ? "left" : "right"),
+                {13, soft_ink, Align::right});
+  }
   draw_legend(canvas, layout, ladder);
 
   window.GetRenderers()->RemoveAllItems();

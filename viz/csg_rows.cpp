@@ -248,12 +248,6 @@ class RowsDrawing {
         break;
       }
     }
-    if (!rows_.has_origin) {
-      const bool is_left = rows_.t_min > 0;
-      const double x = is_left ? layout_.bars_left() - 20 : layout_.bars_right();
-      canvas_.text({x, bottom() + 30}, is_left ? "the ray begins far to the left" : "the ray begins far to the right",
-                   {12, soft_ink, is_left ? Align::left : Align::right});
-    }
   }
 
   Canvas& canvas_;

@@ -252,21 +252,29 @@ bool is_endless(const LadderSolid& solid) {
 }
 
 Camera camera_for(const LadderSolid& solid, int width, int height) {
-  constexpr double field_of_view = 28, share = 0.84;  // of the panel, by the solid's box
-  const Aabb& extent = solid.plain().extent();
-  const Vec3d lo = extent.is_empty() ? Vec3d(-1) : Vec3d(extent.lo),
-              hi = extent.is_empty() ? Vec3d(1) : Vec3d(extent.hi);
-  const Vec3d middle = 0.5 * (lo + hi), toward_eye = glm::normalize(Vec3d(-0.62, 0.42, 1));
+  constexpr double field_of_view = 28, share = 0.88;  // of the panel, by the boxes of the solid's parts
+  std::vector<Aabb> boxes;
+  for (const Solid& part : solid.parts()) {
+    if (part.is_bounded() && !part.bounds().is_empty()) boxes.push_back(part.bounds());
+  }
+  if (boxes.empty()) boxes.push_back({Vec3f(-1), Vec3f(1)});
+  Aabb extent;
+  for (const Aabb& box : boxes) extent.extend(box);
   // Rays like to come from the left, and should be seen to arrive.
+  const Vec3d middle = 0.5 * (Vec3d(extent.lo) + Vec3d(extent.hi)), toward_eye = glm::normalize(Vec3d(-0.62, 0.42, 1));
   const Camera near = Camera::looking_at(middle + toward_eye, middle, {0, 1, 0}, field_of_view, width, height);
   const double across = share * glm::length(near.right), upward = share * glm::length(near.up);
   const Vec3d right = glm::normalize(near.right), up = glm::normalize(near.up);
   double distance = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3d q = Vec3d((corner & 1) ? hi.x : lo.x, (corner & 2) ? hi.y : lo.y, (corner & 4) ? hi.z : lo.z) - middle;
-    const double nearer = glm::dot(q, toward_eye);
-    distance = std::max(
-        {distance, nearer + std::fabs(glm::dot(q, right)) / across, nearer + std::fabs(glm::dot(q, up)) / upward});
+  for (const Aabb& box : boxes) {
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3d q = Vec3d((corner & 1) ? box.hi.x : box.lo.x, (corner & 2) ? box.hi.y : box.lo.y,
+                            (corner & 4) ? box.hi.z : box.lo.z) -
+                      middle;
+      const double nearer = glm::dot(q, toward_eye);
+      distance = std::max(
+          {distance, nearer + std::fabs(glm::dot(q, right)) / across, nearer + std::fabs(glm::dot(q, up)) / upward});
+    }
   }
   if (!(distance > 0)) distance = 1;
   return Camera::looking_at(middle + distance * toward_eye, middle, {0, 1, 0}, field_of_view, width, height);
