@@ -40,7 +40,8 @@ struct Rounding<DoubleDouble> {
 
 /// All numbers within `radius` of `mid`. Operations contain every result that operands within their balls can have.
 ///   A1  A radius is computed by a few roundings to nearest of positive terms; `widen` is more than these.
-///   A2  Where a result is so small that its rounding error is no longer a double, `step` is more than it.
+///   A2  Where a result, or what makes its radius, is so small that its rounding error is no longer a double, `step` is
+///       more than it.
 ///   A3  A result that overflows has a radius that is not finite, so that nothing about it is certain.
 /// Sums and products of doubles have exactly their rounding error as radius, so that what is exact stays certain.
 /// Rump, "Fast and Parallel Interval Arithmetic", 1999; van der Hoeven, "Ball Arithmetic", 2010.
@@ -55,6 +56,7 @@ struct Ball {
 
   double middle() const { return detail::Rounding<M>::leading(mid); }
   double size() const { return std::fabs(middle()); }
+  bool is_zero() const { return middle() == 0 && radius == 0; }
   Ball operator-() const { return {-mid, radius}; }
 };
 
@@ -66,6 +68,9 @@ namespace detail {
 inline constexpr double widen = 1 + 0x1p-48;  // A1
 inline constexpr double smallest = 0x1p-900;  // A2: below it, errors of products may underflow
 inline constexpr double step = 0x1p-1000;     // A2
+
+/// A2: of a result, and of radii that it is made with.
+inline bool may_underflow(double x, double radii) { return std::fabs(x) < smallest || radii > 0; }
 
 /// A3: infinity where a number is not finite.
 inline double guarded(double x, double radius) {
@@ -91,7 +96,7 @@ inline DoubleBall operator*(const DoubleBall& a, const DoubleBall& b) {
   const auto [high, low] = two_product(a.mid, b.mid);
   double radius = (std::fabs(low) + std::fabs(a.mid) * b.radius + std::fabs(b.mid) * a.radius + a.radius * b.radius) *
                   detail::widen;
-  if (std::fabs(high) < detail::smallest && a.mid != 0 && b.mid != 0) radius += detail::step;
+  if (detail::may_underflow(high, a.radius + b.radius) && !a.is_zero() && !b.is_zero()) radius += detail::step;
   return {high, detail::guarded(high, radius)};
 }
 
@@ -107,7 +112,7 @@ inline WideBall operator*(const WideBall& a, const WideBall& b) {
   double radius = (detail::Rounding<DoubleDouble>::unit * std::fabs(product.high) + a.size() * b.radius +
                    b.size() * a.radius + a.radius * b.radius) *
                   detail::widen;
-  if (std::fabs(product.high) < detail::smallest && a.mid.high != 0 && b.mid.high != 0) radius += detail::step;
+  if (detail::may_underflow(product.high, a.radius + b.radius) && !a.is_zero() && !b.is_zero()) radius += detail::step;
   return {product, detail::guarded(product.high, radius)};
 }
 
@@ -125,7 +130,7 @@ Ball<M> operator/(const Ball<M>& a, const Ball<M>& b) {
   if (!(least > 0)) return {quotient, std::numeric_limits<double>::infinity()};
   constexpr double unit = detail::Rounding<M>::unit;
   double radius = ((a.radius + high * b.radius) / least + high * unit) * (1 + 0x1p-40);
-  if (high < detail::smallest && a.middle() != 0) radius += detail::step;
+  if (detail::may_underflow(high, a.radius + b.radius) && !a.is_zero()) radius += detail::step;
   return {quotient, detail::guarded(high, radius)};
 }
 
@@ -140,7 +145,8 @@ Ball<M> sqrt(const Ball<M>& a) {
   const double high = detail::Rounding<M>::leading(root);
   constexpr double unit = detail::Rounding<M>::unit;
   // |sqrt(x) - sqrt(y)| = |x - y| / (sqrt(x) + sqrt(y))
-  const double radius = (a.radius / high + high * unit) * (1 + 0x1p-40);
+  double radius = (a.radius / high + high * unit) * (1 + 0x1p-40);
+  if (a.radius > 0) radius += detail::step;
   return {root, detail::guarded(high, radius)};
 }
 
