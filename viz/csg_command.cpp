@@ -96,6 +96,16 @@ Level parse_level(const std::string& text) {
 /// Names have neither in them, files have an extension at least.
 bool is_file(const std::string& spec) { return spec.find_first_of("./") != std::string::npos; }
 
+/// What is wrong with a file's solid is said of the file.
+LadderSolid solid_of(const std::string& spec, const std::string& accelerator) {
+  if (!is_file(spec)) return {load_solid(spec), accelerator};
+  try {
+    return {read_solid(spec), accelerator};
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(spec + ": " + error.what());
+  }
+}
+
 /// Of a file's solid: across its middle, from outside.
 Ray<double> ray_across(const LadderSolid& solid) {
   const Aabb& extent = solid.plain().extent();
@@ -174,7 +184,7 @@ int CsgCommand::run() const {
   if (accelerator.label != accelerator.accelerator) {
     refuse("--accel", accelerator_, "a name alone; structures of operands have no options");
   }
-  const LadderSolid solid(is_file(solid_) ? read_solid(solid_) : load_solid(solid_), accelerator.accelerator);
+  const LadderSolid solid = solid_of(solid_, accelerator.accelerator);
   std::string description = std::to_string(solid.plain().primitives().size()) + " primitives";
   if (!is_file(solid_)) {
     const SolidInfo& info = solid_info(solid_);

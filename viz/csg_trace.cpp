@@ -7,22 +7,13 @@
 #include <limits>
 
 #include "sightline/csg/evaluator.h"
-#include "viz/material_color.h"
+#include "viz/csg_light.h"
 
 namespace sightline::viz {
 namespace {
 
-constexpr int side = 2;  // rays of a pixel, across and down
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t no_face = 0xffff'ffff;
-
-Vec3d linear_of(const Rgb& color) {
-  return {linear_from_srgb(color[0]), linear_from_srgb(color[1]), linear_from_srgb(color[2])};
-}
-
-Vec3d color_of(const LadderSolid& solid, std::uint32_t primitive) {
-  return linear_of(material_color(solid.material(primitive), primitive));
-}
 
 std::uint32_t key_of(const Boundary& boundary) { return boundary.primitive * 64 + boundary.face % 64; }
 
@@ -36,25 +27,6 @@ struct Sight {
 struct GhostSight {
   Sight front, back;
 };
-
-/// Averages blocks of linear light.
-ColorGrid averaged(const std::vector<Vec3f>& light, int width, int height) {
-  ColorGrid grid{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 3)};
-  tbb::parallel_for(0, height, [&](int y) {
-    for (int x = 0; x < width; ++x) {
-      Vec3d sum(0);
-      for (int i = 0; i < side * side; ++i) {
-        sum += Vec3d(light[(static_cast<std::size_t>(y) * side + i / side) * width * side + x * side + i % side]);
-      }
-      for (int c = 0; c < 3; ++c) {
-        const double value = srgb_from_linear(sum[c] / (side * side));
-        grid.bytes[(static_cast<std::size_t>(y) * width + x) * 3 + c] =
-            static_cast<std::uint8_t>(std::lround(255 * value));
-      }
-    }
-  });
-  return grid;
-}
 
 template <Level level>
 class Tracing {
@@ -100,13 +72,13 @@ class Tracing {
     const double share = double(y) / height_;
     Vec3d light = Vec3d(0.955, 0.97, 0.985) - Vec3d(0.12, 0.11, 0.095) * share;
     const auto boundary = evaluator.first(0, infinity);
-    if (!boundary && is_endless_) light = 0.45 * light + 0.55 * color_of(solid_, 0);
+    if (!boundary && is_endless_) light = 0.45 * light + 0.55 * light_of(solid_, 0);
     if (boundary) {
       const Vec3d view = glm::normalize(ray.direction);
       Vec3d normal = solid_.quick().normal(*boundary, ray);
       if (glm::dot(normal, view) > 0) normal = -normal;
       sights_[pixel] = {boundary->t, key_of(*boundary), static_cast<float>(-glm::dot(normal, view))};
-      light = shade(color_of(solid_, boundary->primitive), normal, view, ray.at(boundary->t));
+      light = shade(light_of(solid_, boundary->primitive), normal, view, ray.at(boundary->t));
     }
     light_[pixel] = Vec3f(light);
     for (std::size_t i = 0; i < ghosts_.size(); ++i) {
@@ -152,7 +124,7 @@ class Tracing {
     if (is_edge(x, y, [&](std::size_t p) { return sights_[p].key; })) light *= 0.45;
     for (std::size_t i = 0; i < ghosts_.size(); ++i) {
       const auto ghost_at = [&](std::size_t p) -> const GhostSight& { return ghost_sights_[p * ghosts_.size() + i]; };
-      const Vec3d color = color_of(solid_, ghosts_[i]);
+      const Vec3d color = light_of(solid_, ghosts_[i]);
       for (const bool is_front : {false, true}) {
         const auto get = [&](std::size_t p) -> const Sight& { return is_front ? ghost_at(p).front : ghost_at(p).back; };
         const Sight& ghost = get(pixel);
@@ -177,67 +149,6 @@ class Tracing {
   std::vector<Sight> sights_;
   std::vector<GhostSight> ghost_sights_;
 };
-
-/// Where a line is inside of each of up to 64 solids, a bit each, sampled from the left.
-template <Level level>
-void sample(const Solid& solid, const Ray<double>& ray, const SectionPlane& plane, int bit,
-            std::span<std::uint64_t> samples) {
-  NoSolidProbe probe;
-  SolidEvaluator<level> evaluator(solid, ray, probe);
-  const SpanList list = evaluator.spans();
-  const double step = (plane.t_max - plane.t_min) / static_cast<double>(samples.size());
-  const auto boundaries = evaluator[list];
-  bool is_inside = list.begins_inside;
-  std::size_t next = 0;
-  for (std::size_t x = 0; x < samples.size(); ++x) {
-    const double t = plane.t_min + (static_cast<double>(x) + 0.5) * step;
-    for (; next < boundaries.size() && boundaries[next].t <= t; ++next) is_inside = !is_inside;
-    if (is_inside) samples[x] |= std::uint64_t{1} << bit;
-  }
-}
-
-constexpr int whole = 63;  // the bit of the solid itself
-
-/// Fills the parts by their materials, and draws where they end; thick where the solid does.
-Vec3d section_color(const LadderSolid& solid, const std::vector<std::uint32_t>& outlined,
-                    const std::vector<std::uint64_t>& masks, int width, int height, int x, int y) {
-  const auto mask = [&](int i, int j) {
-    return masks[static_cast<std::size_t>(std::clamp(j, 0, height - 1)) * width + std::clamp(i, 0, width - 1)];
-  };
-  const std::uint64_t here = mask(x, y);
-  const auto changes = [&](int reach) {
-    return (here ^ mask(x + reach, y)) | (here ^ mask(x - reach, y)) | (here ^ mask(x, y + reach)) |
-           (here ^ mask(x, y - reach));
-  };
-  const std::uint64_t wide = changes(2), narrow = changes(1);
-  const bool is_inside = (here >> whole & 1) != 0;
-  const auto first_of = [&](std::uint64_t bits) -> std::optional<Vec3d> {
-    for (std::size_t i = 0; i < outlined.size(); ++i) {
-      if ((bits >> i & 1) != 0) return color_of(solid, outlined[i]);
-    }
-    return std::nullopt;
-  };
-  if ((wide >> whole & 1) != 0) return 0.85 * first_of(wide).value_or(Vec3d(0.05));
-  const Vec3d fill = first_of(here).value_or(first_of(~std::uint64_t{0}).value_or(Vec3d(0.35)));
-  Vec3d light = is_inside ? 0.52 * Vec3d(1) + 0.48 * fill : Vec3d(0.965, 0.975, 0.985);
-  if (const auto line = first_of(narrow)) light = 0.35 * light + 0.65 * *line;
-  return light;
-}
-
-template <class Run>
-auto with_level(Level level, Run&& run) {
-  switch (level) {
-    case Level::fast:
-      return run.template operator()<Level::fast>();
-    case Level::watertight:
-      return run.template operator()<Level::watertight>();
-    case Level::precise:
-      return run.template operator()<Level::precise>();
-    case Level::exact:
-      break;
-  }
-  return run.template operator()<Level::exact>();
-}
 
 }  // namespace
 
@@ -288,33 +199,6 @@ Ray<double> ray_through(const Camera& camera, double x, double y) {
 SolidView trace_solid(const LadderSolid& solid, const std::vector<std::uint32_t>& ghosts, const Camera& camera,
                       Level level) {
   return with_level(level, [&]<Level l>() { return Tracing<l>(solid, ghosts, camera).run(); });
-}
-
-ColorGrid trace_section(const LadderSolid& solid, const std::vector<std::uint32_t>& outlined, const Ray<double>& ray,
-                        const SectionPlane& plane, int width, int height, Level level) {
-  const int columns = width * side, rows = height * side;
-  const double per_sample = (plane.t_max - plane.t_min) * glm::length(ray.direction) / columns;
-  std::vector<std::uint64_t> masks(static_cast<std::size_t>(columns) * rows);
-  with_level(level, [&]<Level l>() {
-    tbb::parallel_for(0, rows, [&](int y) {
-      Ray<double> beside = ray;
-      beside.origin += plane.up * ((rows - 1 - 2 * y) * 0.5 * per_sample);
-      const std::span samples(&masks[static_cast<std::size_t>(y) * columns], static_cast<std::size_t>(columns));
-      sample<l>(solid.quick(), beside, plane, whole, samples);
-      for (std::size_t i = 0; i < outlined.size(); ++i) {
-        sample<l>(solid.parts()[outlined[i]], beside, plane, static_cast<int>(i), samples);
-      }
-    });
-    return 0;
-  });
-  std::vector<Vec3f> light(masks.size());
-  tbb::parallel_for(0, rows, [&](int y) {
-    for (int x = 0; x < columns; ++x) {
-      light[static_cast<std::size_t>(y) * columns + x] =
-          Vec3f(section_color(solid, outlined, masks, columns, rows, x, y));
-    }
-  });
-  return averaged(light, width, height);
 }
 
 std::vector<std::uint32_t> primitives_to_show(const LadderSolid& solid, const Ladder& ladder, std::size_t count) {
