@@ -115,7 +115,8 @@ class RayDrawing {
   void mark_origin() {
     if (const auto place = project(0)) {
       mark(0, 4.5, ink);
-      canvas_.text({place->x, place->y + 19}, "t = 0", {13, ink, Align::center, true});
+      const double x = std::clamp(place->x, left_ + 24, left_ + camera_.width / unit_ - 24);
+      canvas_.text({x, place->y + 19}, "t = 0", {13, ink, Align::center, true});
     }
   }
 

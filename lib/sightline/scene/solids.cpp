@@ -84,7 +84,7 @@ SolidTree swiss_cheese(int holes) {
 SolidTree pawn() {
   const SolidTree foot = of("walnut", Cylinder{Vec3d(0, 0, 0), Vec3d(0, 0.18, 0), 0.85});
   const SolidTree base = of("walnut", Torus{Vec3d(0, 0.3, 0), Vec3d(0, 1, 0), 0.58, 0.16});
-  const SolidTree body = of("oak", Cone{Vec3d(0, 2.6, 0), Vec3d(0, 0.18, 0), 0.66});
+  const SolidTree body = of("oak", Cone{Vec3d(0, 2.4, 0), Vec3d(0, 0.18, 0), 0.66});
   const SolidTree groove = of("walnut", Torus{Vec3d(0, 0.95, 0), Vec3d(0, 1, 0), 0.52, 0.13});
   const SolidTree collar = of("walnut", Torus{Vec3d(0, 1.52, 0), Vec3d(0, 1, 0), 0.27, 0.11});
   const SolidTree head = of("oak", Sphere{Vec3d(0, 2, 0), 0.44});
@@ -108,7 +108,7 @@ constexpr Vector from_left{-2.4, 0.35, 0.45}, to_right{1, 0, 0};
 
 /// What is looked at first comes first.
 constexpr auto infos = std::to_array<SolidInfo>({
-    {"widget", "(box & sphere) - three cylinders", 0, 0, 0, {-2.375, 0.5, 0.40625}, {1, 0.03125, -0.0625}},
+    {"widget", "(box & sphere) - three cylinders", 0, 0, 0, {-2.375, 0.5, 0.5}, {1, 0.03125, -0.0625}},
     {"lens", "sphere & sphere: volume 5/12 pi", 0, 0, 0, {-2.25, 0.25, 0}, {1, 0, 0}},
     {"lune", "sphere - sphere: 11/12 pi", 0, 0, 0, {-2.25, 0.25, 0}, {1, 0, 0}},
     {"peanut", "sphere | sphere: 9/4 pi", 0, 0, 0, {-2.25, 0.25, 0}, {1, 0, 0}},
@@ -124,7 +124,7 @@ constexpr auto infos = std::to_array<SolidInfo>({
     {"holes", "box - cylinder whose caps lie in its faces", 0, 0, 0, {-2, 1.5, 0.25}, {1, -0.75, 0}},
     {"not-a-sphere", "all but a sphere, without end", 0, 0, 0, {-2, 0.5, 0.25}, {1, 0, 0}},
     {"nothing", "a sphere less itself", 0, 0, 0, {-2, 0.5, 0.25}, {1, 0, 0}},
-    {"pawn", "a chessman turned of cones and tori", 0, 0, 0, {-1.5, 0.75, 0.1}, {1, 0.25, 0}},
+    {"pawn", "a chessman turned of cones and tori", 0, 0, 0, {-0.8, 2.9, 0.25}, {0.5, -1, -0.0625}},
     {"rocket", "cylinder, cones, a torus; fins cut of a cone", 0, 0, 0, {-1.75, 0.2, 0.75}, {1, 0.375, -0.25}},
 });
 
