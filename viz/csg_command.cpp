@@ -102,7 +102,8 @@ LadderSolid solid_of(const std::string& spec, const std::string& accelerator) {
   try {
     return {read_solid(spec), accelerator};
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(spec + ": " + error.what());
+    const std::string what = error.what();
+    throw std::runtime_error(what.starts_with(spec) ? what : spec + ": " + what);
   }
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double operation_height = 54, other_height = 31, axis_height = 50;
 constexpr double largest_section = 440, smallest_section = 90, smallest_scale = 0.66, largest_scale = 1.25;
-constexpr double good_section = 270;
+constexpr double good_section = 270, good_scale = 0.9;
 
 double height_of(const LadderRow& row) {
   return row.kind == SolidTree::Kind::operation ? operation_height : other_height;
@@ -110,7 +110,9 @@ LadderLayout lay_out(const CsgLayout& layout, const Ladder& ladder, const Ladder
   }
   const double needed = total(rows.rows);
   const double gap = 14;
-  rows.scale = std::clamp((room - gap - good_section) / needed, smallest_scale, largest_scale);
+  // Rows that are hard to read cost more than a lower section.
+  const double roomy = (room - gap - good_section) / needed, tight = (room - gap - smallest_section) / needed;
+  rows.scale = std::clamp(std::max(roomy, std::min(tight, good_scale)), smallest_scale, largest_scale);
   rows.section_height = std::clamp(room - gap - needed * rows.scale, smallest_section, largest_section);
   double left = room - gap - rows.section_height;
   rows.rows_top = CsgLayout::top + rows.section_height + gap;

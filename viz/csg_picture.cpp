@@ -115,8 +115,10 @@ class RayDrawing {
   void mark_origin() {
     if (const auto place = project(0)) {
       mark(0, 4.5, ink);
-      const double x = std::clamp(place->x, left_ + 24, left_ + camera_.width / unit_ - 24);
-      canvas_.text({x, place->y + 19}, "t = 0", {13, ink, Align::center, true});
+      const bool has_room = place->x > left_ + 70;
+      const Canvas::TextStyle style{13, ink, has_room ? Align::right : Align::center, true};
+      canvas_.text(has_room ? Point{place->x - 11, place->y + 1} : Point{std::max(place->x, left_ + 24), place->y + 19},
+                   "t = 0", style);
     }
   }
 

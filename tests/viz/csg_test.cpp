@@ -85,7 +85,7 @@ TEST(CsgLadder, BooleansAreThoseOfAnIndependentMerge) {
   for (const SolidInfo& info : solid_infos()) {
     const LadderSolid solid = solid_of(info.name);
     check_operations(solid.climb(own_ray(info), Level::watertight));
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 200; ++i) {
       const auto number = [&] { return 3 * random.uniform_double() - 1.5; };
       const Ray<double> ray{{number(), number(), number()}, {number(), number(), number()}};
       const Ladder ladder = solid.climb(ray, i % 2 == 0 ? Level::watertight : Level::exact);
