@@ -121,7 +121,7 @@ constexpr auto infos = std::to_array<SolidInfo>({
     {"bowl-cube", "cube - sphere that cuts its faces", 0, 0, 0, {-2, 0.5, 0.75}, {1, 0.125, 0}},
     {"menger", "Menger's sponge, a cube less holes; size: levels", 2, 1, 4, {-2, 0.55, 0.3}, {1, 0.0625, 0.125}},
     {"swiss-cheese", "box - N spheres; size: N", 12, 1, 4096, {-2, 0.1, 0.15}, {1, 0, 0}},
-    {"holes", "box - cylinder whose caps lie in its faces", 0, 0, 0, {-2, 1.5, 0.25}, {1, -0.75, 0}},
+    {"holes", "box - cylinder whose caps lie in its faces", 0, 0, 0, {-1, 1.25, 0.125}, {1.125, -1, 0}},
     {"not-a-sphere", "all but a sphere, without end", 0, 0, 0, {-2, 0.5, 0.25}, {1, 0, 0}},
     {"nothing", "a sphere less itself", 0, 0, 0, {-2, 0.5, 0.25}, {1, 0, 0}},
     {"pawn", "a chessman turned of cones and tori", 0, 0, 0, {-0.8, 2.9, 0.25}, {0.5, -1, -0.0625}},
