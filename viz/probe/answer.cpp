@@ -42,7 +42,9 @@ void check_floats(const JsonValue& at, const json& value) {
   if (value.is_number() && !(std::fabs(value.get<double>()) <= std::numeric_limits<float>::max()))
     at.fail("a number that is finite as a float");
   if (value.is_object()) {
-    for (const auto& [name, member] : value.items()) check_floats(*at.find(name.c_str()), member);
+    for (const auto& [name, member] : value.items()) {
+      check_floats(JsonValue(no_file, member, at.place() + "/" + name), member);  // any name, with zeros as well
+    }
   } else if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i) check_floats(at[i], value[i]);
   }
