@@ -11,12 +11,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// At level fast a torus is so far off that its box may be missed where it is hit.
-bool has_torus(const SolidTree& tree) {
-  return (tree.kind == SolidTree::Kind::primitive && std::holds_alternative<Torus>(tree.shape)) ||
-         std::any_of(tree.args.begin(), tree.args.end(), has_torus);
-}
-
 const Dice checked_dice = [](int n) { return *rc::gen::inRange(0, n); };
 
 SolidTree any_tree(int depth) { return random_tree(checked_dice, checked_dice(depth + 1), any_primitive); }
@@ -102,7 +96,6 @@ RC_GTEST_PROP(SolidOptions, ChangeNothing, ()) {
   const auto check = [&](const std::string& what, const SolidOptions& options, std::string_view accelerator) {
     const Solid solid(tree, options, accelerator);
     for (const Level level : all_levels) {
-      if (level == Level::fast && has_torus(tree)) continue;
       const auto expected = first_of(plain, ray, t_min, t_max, level),
                  found = first_of(solid, ray, t_min, t_max, level);
       if (!are_same(spans_of(solid, ray, level), spans_of(plain, ray, level)) ||
@@ -133,7 +126,6 @@ RC_GTEST_PROP(SolidEvaluator, FindsTheFirstOfItsSpans, ()) {
   const Ray<double> ray = lattice_ray(checked_dice);
   const Solid solid(tree);
   for (const Level level : all_levels) {
-    if (level == Level::fast && has_torus(tree)) continue;
     const Spans spans = spans_of(solid, ray, level);
     std::vector<double> limits{-infinity, infinity, 0, 0.1 * (checked_dice(200) - 100),
                                0.1 * (checked_dice(200) - 100)};

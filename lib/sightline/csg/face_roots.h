@@ -42,7 +42,9 @@ RootList face_roots(const S& surface, const LocalRay<level>& ray) {
   if constexpr (std::is_same_v<S, solid::Torus>) {
     if (level != Level::fast) return certain_roots(surface, ray, level);
     if (!ray.frame()) return torus_roots(surface, ray.ray(), level);
-    return quartic_roots(polynomial(surface, ray.line()));
+    const Line<double> line = ray.template in<double>();
+    const auto vector = [](const std::array<double, 3>& v) { return Vec3d(v[0], v[1], v[2]); };
+    return torus_roots(surface, {vector(line.origin), vector(line.direction)}, level);
   } else {
     const RootList list = detail::roots_of(solid::form_of(surface, ray.line()));
     if constexpr (level == Level::fast) return list;
