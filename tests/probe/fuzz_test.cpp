@@ -155,8 +155,7 @@ TEST(ProbeFuzz, NestingIsLimited) {
 TEST(ProbeFuzz, IdsComeBack) {
   for (const char* id : {"0", "-1.5", "null", "\"x\\u00e9\"", "[1,{\"a\":[]}]", "true", "123456789012345678"}) {
     const std::string head = std::string("{\"id\":") + id + ",\"ray\":{\"o\":[0,0,0],\"d\":[1,0,0]},";
-    for (const std::string& shape :
-         {R"("sphere":{"c":[3,0,0],"r":1}})", R"("sphere":{"c":[3,0,0]}})", R"("cube":1})"}) {
+    for (const char* shape : {R"("sphere":{"c":[3,0,0],"r":1}})", R"("sphere":{"c":[3,0,0]}})", R"("cube":1})"}) {
       const probe::Answer answer = probe::answer(head + shape, 3, Level::exact);
       EXPECT_EQ(json::parse(answer.text)["id"], json::parse(id)) << answer.text;
     }
