@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -132,13 +133,9 @@ std::optional<Passage> passage(const solid::Box& box, const LocalRay<level>& ray
 
 // ---- Trees
 
-/// The boundaries' signs are those of the surfaces' roots.
-template <Level level>
-Place place_of(const Boundary& boundary, const Solid& solid, const Ray<double>& ray) {
+SurfaceRoot root_of(const Boundary& boundary, const Solid& solid, const Ray<double>& ray) {
   const Primitive& primitive = solid.primitives()[boundary.primitive];
-  return place_of<level>(Root{boundary.t, boundary.radius, 1},
-                         SurfaceRoot{surface_of(primitive.shape, boundary.face),
-                                     FramedRay(ray, solid.frame_of(primitive)), boundary.root});
+  return {surface_of(primitive.shape, boundary.face), FramedRay(ray, solid.frame_of(primitive)), boundary.root};
 }
 
 }  // namespace
@@ -203,8 +200,16 @@ void answer_tree(const JsonValue& json, const Ray<double>& ray, Level level, ord
     NoSolidProbe probe;
     SolidEvaluator<chosen> evaluator(solid, ray, probe);
     const SpanList list = evaluator.spans();
+    const std::span<const Boundary> boundaries = evaluator[list];
     std::vector<Place> places;
-    for (const Boundary& boundary : evaluator[list]) places.push_back(place_of<chosen>(boundary, solid, ray));
+    for (const Boundary& boundary : boundaries) {
+      places.push_back(place_of<chosen>(Root{boundary.t, boundary.radius, 1}, root_of(boundary, solid, ray)));
+    }
+    // Bounded ones may stand in the wrong order, though theirs is certain; the nearest doubles do not.
+    const auto is_before = [](const Place& a, const Place& b) { return a.t < b.t; };
+    if (chosen != Level::fast && !std::is_sorted(places.begin(), places.end(), is_before)) {
+      for (std::size_t i = 0; i < places.size(); ++i) places[i].t = nearest_root(root_of(boundaries[i], solid, ray));
+    }
     ordered_json intervals = ordered_json::array();
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double enter = -infinity;
