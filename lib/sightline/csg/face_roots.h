@@ -1,11 +1,10 @@
 #pragma once
 /// Where a line crosses a face, as accurately as a level asks for.
 
-#include "sightline/csg/primitive.h"
+#include "sightline/csg/settle.h"
 #include "sightline/math/level.h"
 #include "sightline/math/quadratic.h"
-
-#include "sightline/math/rounding.h"
+#include "sightline/math/quartic.h"
 
 namespace sightline {
 
@@ -23,10 +22,6 @@ class LocalRay : public FramedRay {
  private:
   Line<Number> line_;
 };
-
-/// Roots of a surface's polynomial along the line of a ray in a frame, by some hundred bits, and where these cannot
-/// tell, exactly. At level exact correctly rounded.
-RootList settled_roots(const Surface& surface, const FramedRay& ray, Level level);
 
 namespace detail {
 
@@ -58,7 +53,9 @@ bool is_accurate(const RootList& list) {
 template <Level level, class S>
 RootList face_roots(const S& surface, const LocalRay<level>& ray) {
   if constexpr (std::is_same_v<S, solid::Torus>) {
-    return torus_roots(surface, ray, level);
+    if (level != Level::fast) return certain_roots(surface, ray, level);
+    if (!ray.frame()) return torus_roots(surface, ray.ray(), level);
+    return quartic_roots(polynomial(surface, ray.line()));
   } else {
     const RootList list = detail::roots_of(solid::form_of(surface, ray.line()));
     if constexpr (level == Level::fast) return list;

@@ -32,7 +32,7 @@ struct Gradient {
     return {2 * q[0] * p.x + q[3] * p.y + q[4] * p.z + q[6], q[3] * p.x + 2 * q[1] * p.y + q[5] * p.z + q[7],
             q[4] * p.x + q[5] * p.y + 2 * q[2] * p.z + q[8]};
   }
-  Vec3d operator()(const solid::Torus& torus) const { return outward_normal(torus, p); }
+  Vec3d operator()(const solid::Torus& torus) const { return normal_at(torus, p); }
   Vec3d operator()(const solid::Facet& facet) const {
     const auto& v = facet.vertices;
     return glm::cross(v[1] - v[0], v[2] - v[0]);

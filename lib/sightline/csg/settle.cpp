@@ -5,6 +5,7 @@
 
 #include "sightline/math/algebraic_root.h"
 #include "sightline/math/quadratic.h"
+#include "sightline/math/quartic.h"
 #include "sightline/math/rounding.h"
 
 namespace sightline {
@@ -53,19 +54,16 @@ RootList exact_roots(const Surface& surface, const FramedRay& ray) {
   return list;
 }
 
-/// By some hundred bits; of a torus there is none.
+template <class N>
+RootList roots_of(const solid::QuarticForm<N>& form) {
+  return quartic_roots(form.coefficients);
+}
+
+/// By some hundred bits.
 std::optional<RootList> wide_roots(const Surface& surface, const FramedRay& ray) {
   const Line<WideBall> line = ray.in<WideBall>();
-  return std::visit(
-      [&]<class S>(const S& s) -> std::optional<RootList> {
-        if constexpr (std::is_same_v<S, solid::Torus>) {
-          return std::nullopt;
-        } else {
-          const RootList list = roots_of(solid::form_of(s, line));
-          return list.is_certain ? std::optional(list) : std::nullopt;
-        }
-      },
-      surface);
+  const RootList list = std::visit([&](const auto& s) { return roots_of(solid::form_of(s, line)); }, surface);
+  return list.is_certain ? std::optional(list) : std::nullopt;
 }
 
 /// Whether what is known of each root leaves one nearest double.
@@ -89,6 +87,13 @@ int order_of(const Root& a, const Root& b) {
 }
 
 }  // namespace
+
+RootList certain_roots(const Torus& torus, const FramedRay& ray, Level level) {
+  if (ray.frame()) return settled_roots(torus, ray, level);
+  if (level == Level::exact) return torus_roots(torus, ray.ray(), level);
+  const RootList list = torus_roots(torus, ray.ray(), Level::precise);
+  return list.is_certain ? list : exact_roots(torus, ray);
+}
 
 RootList settled_roots(const Surface& surface, const FramedRay& ray, Level level) {
   if (const auto wide = wide_roots(surface, ray); wide && (level != Level::exact || are_rounded(*wide))) return *wide;

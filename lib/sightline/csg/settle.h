@@ -12,6 +12,9 @@ namespace sightline {
 /// correctly rounded.
 RootList settled_roots(const Surface& surface, const FramedRay& ray, Level level);
 
+/// The same of a torus, from doubles on, at any level but fast.
+RootList certain_roots(const Torus& torus, const FramedRay& ray, Level level);
+
 /// A root of a surface's polynomial along a ray, by its place among the distinct real ones.
 struct SurfaceRoot {
   Surface surface;

@@ -28,6 +28,7 @@ class FramedRay {
   explicit FramedRay(const Ray<double>& ray, const Frame* frame = nullptr) : ray_(&ray), frame_(frame) {}
 
   const Ray<double>& ray() const { return *ray_; }
+  const Frame* frame() const { return frame_; }
 
   /// The line in the frame, computed in N: exact where N is.
   template <class N>

@@ -106,7 +106,7 @@ RootList float_roots(const Torus& torus, const Ray<double>& ray, const SeenLine&
 }
 
 RootList exact_roots(const Torus& torus, const Ray<double>& ray) {
-  const std::array<Dyadic, 5> c = polynomial(torus, line_of<Dyadic>(ray));
+  const std::array<Dyadic, 5> c = polynomial(torus, FramedRay(ray).in<Dyadic>());
   RootList list;
   for (const AlgebraicRoot& root : real_roots({c.begin(), c.end()})) {
     const double t = root.nearest();

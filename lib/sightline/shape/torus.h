@@ -18,6 +18,8 @@ struct Torus {
   Vec3d axis;
   double major;
   double minor;
+
+  friend bool operator==(const Torus&, const Torus&) = default;
 };
 
 namespace detail {
