@@ -33,41 +33,67 @@ struct SolidStats : NoSolidProbe {
   void transition(std::uint32_t, const Transition&, bool, double) { ++transitions; }
 };
 
+/// A ray made ready for all solids within some bounds. Refers to it.
+template <Level level>
+class SolidRay {
+ public:
+  using Real = typename QuickRay<level>::Real;
+
+  SolidRay(const Ray<double>& ray, const Aabb& extent)
+      : padded_(to_real(ray), extent), quick_(ray, padded_.inverse), is_valid_(sightline::is_valid(ray)) {}
+
+  const Ray<double>& ray() const { return quick_.ray(); }
+  const PaddedRay<Real>& padded() const { return padded_; }
+  const QuickRay<level>& quick() const { return quick_; }
+  bool is_valid() const { return is_valid_; }
+
+ private:
+  static Ray<Real> to_real(const Ray<double>& ray) {
+    return {Vec3<Real>(ray.origin), Vec3<Real>(ray.direction), -std::numeric_limits<Real>::infinity()};
+  }
+
+  PaddedRay<Real> padded_;
+  QuickRay<level> quick_;
+  bool is_valid_;
+};
+
 /// Evaluates one solid for one ray. Refers to both.
 ///   V1  A list is right within the window that it was asked for, ends included; beyond it anything may be missing.
 ///   V2  What is left out cannot have a boundary, nor be inside, within the window: its box, which is rounded outward,
 ///       is missed by a padded ray.
+///   V3  On the way, t need only be known well enough to put boundaries in order; those reported are as accurate as the
+///       level asks for.
 template <Level level, class Probe = NoSolidProbe>
 class SolidEvaluator {
  public:
   using Window = Interval<double>;
 
   SolidEvaluator(const Solid& solid, const Ray<double>& ray, Probe& probe)
-      : solid_(solid), ray_(ray), padded_(to_real(ray), solid.extent()), order_(solid, ray), probe_(probe) {}
+      : SolidEvaluator(solid, SolidRay<level>(ray, solid.extent()), probe) {}
+  SolidEvaluator(const Solid& solid, const SolidRay<level>& ray, Probe& probe)
+      : solid_(solid), ray_(ray), order_(solid, ray_.ray()), probe_(probe) {}
 
   /// The solid's spans within the window; all of them without one. A ray that is not valid has none.
   SpanList spans(Window window = {-infinity, infinity}) {
     stack_.truncate(0);
-    if (!is_valid(ray_)) return nothing();
-    return evaluate(last_node(), window);
+    if (!ray_.is_valid()) return nothing();
+    const SpanList list = evaluate(last_node(), window);
+    refine(list);
+    return list;
   }
   std::span<const Boundary> operator[](const SpanList& list) const { return stack_[list]; }
 
   /// The first boundary with t_min < t <= t_max.
   std::optional<Boundary> first(double t_min, double t_max) {
     stack_.truncate(0);
-    if (!is_valid(ray_)) return std::nullopt;
+    if (!ray_.is_valid()) return std::nullopt;
     return solid_.options().stop_early ? first_of(last_node(), {t_min, t_max})
                                        : first_in(evaluate(last_node(), {t_min, t_max}), {t_min, t_max});
   }
 
  private:
-  using Real = std::conditional_t<level == Level::fast, float, double>;
+  using Real = typename SolidRay<level>::Real;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  static Ray<Real> to_real(const Ray<double>& ray) {
-    return {Vec3<Real>(ray.origin), Vec3<Real>(ray.direction), -std::numeric_limits<Real>::infinity()};
-  }
 
   std::uint32_t last_node() const { return static_cast<std::uint32_t>(solid_.nodes().size()) - 1; }
   SpanList nothing() const { return {stack_.size(), 0, false}; }
@@ -76,7 +102,7 @@ class SolidEvaluator {
   bool is_met(const SolidNode& node, const Window& window) const {
     if (!node.is_bounded || !solid_.options().use_bounds) return true;
     if (node.bounds.is_empty()) return false;
-    const Interval<Real> range = padded_.clip(node.bounds, std::numeric_limits<Real>::infinity());
+    const Interval<Real> range = ray_.padded().clip(node.bounds, std::numeric_limits<Real>::infinity());
     return !(range.lo > above(window.hi)) && !(range.hi < below(window.lo)) && !(range.lo > range.hi);
   }
   static Real above(double t) {
@@ -111,7 +137,9 @@ class SolidEvaluator {
 
   SpanList primitive(const SolidNode& node) {
     probe_.primitive(node.primitive);
-    return primitive_spans<level>(solid_, node.primitive, ray_, order_, stack_);
+    const SpanList list = primitive_spans<level>(solid_, node.primitive, ray_.quick(), order_, stack_);
+    if constexpr (Probe::sees_transitions) refine(list);
+    return list;
   }
 
   SpanList operation(std::uint32_t index, const SolidNode& node, const Window& window) {
@@ -150,7 +178,7 @@ class SolidEvaluator {
     const OperandIndex* operands = solid_.index_of(node);
     if (!operands || !solid_.options().index_operands) return folded(index, operation, children, window);
     const std::size_t begin = found_.size();
-    Ray<double> part = ray_;
+    Ray<double> part = ray_.ray();
     part.t_min = window.lo, part.t_max = window.hi;
     operands->find(part, found_);
     std::sort(found_.begin() + static_cast<std::ptrdiff_t>(begin), found_.end());
@@ -200,11 +228,40 @@ class SolidEvaluator {
     return list;
   }
 
+  // ---- What is reported (V3)
+
+  Boundary refined(const Boundary& boundary) const {
+    if (is_accurate<level>(boundary.t, boundary.radius)) [[likely]]
+      return boundary;
+    return refined_apart(boundary);
+  }
+  [[gnu::noinline]] Boundary refined_apart(Boundary boundary) const {
+    const Primitive& primitive = solid_.primitives()[boundary.primitive];
+    const LocalRay<level> ray(ray_.ray(), solid_.frame_of(primitive));
+    const RootList list = std::visit([&](const auto& surface) { return face_roots<level>(surface, ray); },
+                                     surface_of(primitive.shape, boundary.face));
+    boundary.t = list.roots[boundary.root].t;
+    boundary.radius = list.roots[boundary.root].radius;
+    return boundary;
+  }
+  void refine(const SpanList& list) {
+    for (std::uint32_t i = list.first; i < list.first + list.count; ++i) stack_[i] = refined(stack_[i]);
+  }
+
+  /// Whether the boundary would be reported behind t.
+  bool is_behind(const Boundary& boundary, double t) const {
+    // The reported one is no farther from the true one than this one is.
+    if (std::fabs(boundary.t - t) > 3 * boundary.radius) [[likely]]
+      return boundary.t > t;
+    return refined(boundary).t > t;
+  }
+
   // ---- The first boundary
 
   std::optional<Boundary> first_in(const SpanList& list, const Window& window) const {
     for (const Boundary& boundary : stack_[list]) {
-      if (boundary.t > window.lo) return boundary.t <= window.hi ? std::optional(boundary) : std::nullopt;
+      if (!is_behind(boundary, window.lo)) continue;
+      return is_behind(boundary, window.hi) ? std::nullopt : std::optional(refined(boundary));
     }
     return std::nullopt;
   }
@@ -213,7 +270,7 @@ class SolidEvaluator {
   bool begins_within(const SpanList& list, const Window& window) const {
     bool is_inside = list.begins_inside;
     for (const Boundary& boundary : stack_[list]) {
-      if (boundary.t > window.lo) break;
+      if (is_behind(boundary, window.lo)) break;
       is_inside = !is_inside;
     }
     return is_inside;
@@ -282,8 +339,7 @@ class SolidEvaluator {
   }
 
   const Solid& solid_;
-  const Ray<double>& ray_;
-  PaddedRay<Real> padded_;
+  const SolidRay<level> ray_;
   BoundaryOrder<level> order_;
   Probe& probe_;
   SpanStack stack_;

@@ -5,6 +5,7 @@
 #include "sightline/math/level.h"
 #include "sightline/math/quadratic.h"
 #include "sightline/math/quartic.h"
+#include "sightline/math/sized_double.h"
 
 namespace sightline {
 
@@ -34,16 +35,25 @@ RootList roots_of(const solid::QuadraticForm<N>& form) {
   return quadratic_roots(form.a, form.b, form.c);
 }
 
-/// A double's proven bound that is not worth improving at a level.
+}  // namespace detail
+
+/// Whether a level asks for no more than what is known of a root; of the exact one that does not tell.
 template <Level level>
-bool is_accurate(const RootList& list) {
-  if (!list.is_certain) return false;
+bool is_accurate(double t, double radius) {
   constexpr double share = level == Level::watertight ? 0x1p-46 : 0x1p-52;
+  return level == Level::fast || (level != Level::exact && radius <= share * std::fabs(t));
+}
+
+namespace detail {
+
+template <Level level>
+bool are_accurate(const RootList& list) {
+  bool is_all = list.is_certain;
   for (int i = 0; i < list.count; ++i) {
     const Root& root = list.roots[static_cast<std::size_t>(i)];
-    if (!(root.radius <= share * std::fabs(root.t))) return false;
+    is_all &= is_accurate<level>(root.t, root.radius);
   }
-  return true;
+  return is_all;
 }
 
 }  // namespace detail
@@ -59,9 +69,76 @@ RootList face_roots(const S& surface, const LocalRay<level>& ray) {
   } else {
     const RootList list = detail::roots_of(solid::form_of(surface, ray.line()));
     if constexpr (level == Level::fast) return list;
-    if (level != Level::exact && detail::is_accurate<level>(list)) [[likely]]
+    if (level != Level::exact && detail::are_accurate<level>(list)) [[likely]]
       return list;
     return settled_roots(surface, ray, level);
+  }
+}
+
+/// A ray as all primitives of a solid see it, made ready for a level.
+///   Q1  Where `is_moderate`, the ray suits SizedDouble, and directions are 0 or not too small to be divided by.
+template <Level level>
+class QuickRay {
+ public:
+  using Real = std::conditional_t<level == Level::fast, float, double>;
+  using Number = std::conditional_t<level == Level::fast, float, SizedDouble>;
+
+  QuickRay(const Ray<double>& ray, const Vec3<Real>& inverse) : ray_(&ray), inverse_(inverse) {
+    constexpr double largest = SizedDouble::largest;
+    is_moderate_ = max_norm(ray.origin) <= largest && max_norm(ray.direction) <= largest;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double size = std::fabs(ray.direction[axis]);
+      is_moderate_ &= (size == 0) | (size * largest >= 1);
+      has_zero_ |= size == 0;
+    }
+  }
+
+  const Ray<double>& ray() const { return *ray_; }
+  bool is_moderate() const { return is_moderate_; }
+  bool has_zero() const { return has_zero_; }
+
+  /// Where a plane across an axis is passed, if the direction is not 0 there. In double off by three roundings:
+  /// passing_share of it, and less than passing_step where that underflows.
+  Real passing(int axis, double position) const {
+    return (static_cast<Real>(position) - static_cast<Real>(ray_->origin[axis])) * inverse_[axis];
+  }
+  static double radius_of(double t) {
+    return level == Level::fast ? 0 : passing_share * std::fabs(t) + passing_step;
+  }
+  static constexpr double passing_share = 0x1p-51, passing_step = 0x1p-900;
+
+ private:
+  const Ray<double>* ray_;
+  Vec3<Real> inverse_;
+  bool is_moderate_, has_zero_ = false;
+};
+
+/// As certain as face_roots of number, order and multiplicities, but as for t only of its radius, which may be larger.
+template <Level level, class S>
+RootList quick_roots(const S& surface, const QuickRay<level>& quick, const Frame* frame, bool is_moderate) {
+  const FramedRay ray(quick.ray(), frame);
+  if constexpr (std::is_same_v<S, solid::Torus>) {
+    constexpr Level enough = level == Level::exact ? Level::precise : level;
+    return face_roots<enough>(surface, LocalRay<enough>(quick.ray(), frame));
+  } else {
+    using Number = typename QuickRay<level>::Number;
+    if (is_moderate && quick.is_moderate()) [[likely]] {
+      if constexpr (std::is_same_v<S, solid::AxisPlane>) {
+        if (!frame && quick.ray().direction[surface.axis] != 0) {
+          RootList list;
+          const double t = quick.passing(surface.axis, surface.position);
+          list.add({t, quick.radius_of(t), 1});
+          list.begins_negative = surface.is_upper == (quick.ray().direction[surface.axis] > 0);
+          return list;
+        }
+      }
+      // Apart, so that the compiler knows how deep each expression is.
+      const RootList list = frame ? detail::roots_of(solid::form_of(surface, ray.in<Number>()))
+                                  : detail::roots_of(solid::form_of(surface, ray.in_world<Number>()));
+      if (list.is_certain) [[likely]]
+        return list;
+    }
+    return face_roots<level>(surface, LocalRay<level>(quick.ray(), frame));
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 /// Where a ray is inside a primitive.
 
+#include <cmath>
+#include <utility>
 #include <variant>
 
 #include "sightline/csg/boundary_order.h"
@@ -14,11 +16,12 @@ namespace detail {
 template <Level level>
 class PrimitiveSpans {
  public:
-  PrimitiveSpans(const Solid& solid, std::uint32_t id, const Ray<double>& ray, const BoundaryOrder<level>& order,
+  PrimitiveSpans(const Solid& solid, std::uint32_t id, const QuickRay<level>& ray, const BoundaryOrder<level>& order,
                  SpanStack& stack)
       : primitive_(solid.primitives()[id]),
         id_(id),
-        ray_(ray, solid.frame_of(primitive_)),
+        ray_(ray),
+        frame_(solid.frame_of(primitive_)),
         order_(order),
         stack_(stack) {}
 
@@ -31,24 +34,27 @@ class PrimitiveSpans {
   // Each pushes the boundaries and returns whether the line begins inside.
 
   bool operator()(const solid::HalfSpace& half) {
-    return std::visit([&](const auto& plane) { return push(0, face_roots(plane, ray_)); }, plane_of(half));
+    return std::visit([&](const auto& plane) { return push(0, roots(plane)); }, plane_of(half));
   }
-  bool operator()(const solid::Sphere& sphere) { return push(0, face_roots(sphere, ray_)); }
-  bool operator()(const solid::Quadric& quadric) { return push(0, face_roots(quadric, ray_)); }
-  bool operator()(const solid::Torus& torus) { return push(0, face_roots(torus, ray_)); }
+  bool operator()(const solid::Sphere& sphere) { return push(0, roots(sphere)); }
+  bool operator()(const solid::Quadric& quadric) { return push(0, roots(quadric)); }
+  bool operator()(const solid::Torus& torus) { return push(0, roots(torus)); }
 
   bool operator()(const solid::Box& box) {
     Convex span;
+    if (is_quick() && !ray_.has_zero() && narrow_by_slabs(span, box)) [[likely]]
+      return push(span);
+    span = {};
     for (std::uint32_t face = 0; face < 6 && !span.is_empty; ++face) {
-      narrow(span, face, face_roots(solid::face_of(box, face), ray_));
+      narrow(span, face, roots(solid::face_of(box, face)));
     }
     return push(span);
   }
 
   bool operator()(const solid::Cylinder& cylinder) {
     Convex span;
-    narrow_by_caps(span, cylinder);
-    if (!span.is_empty) narrow(span, 0, face_roots(cylinder, ray_));
+    narrow(span, 0, roots(cylinder));
+    if (!span.is_empty) narrow_by_caps(span, cylinder);
     return push(span);
   }
 
@@ -57,7 +63,7 @@ class PrimitiveSpans {
     Convex slab;
     narrow_by_caps(slab, cone);
     if (slab.is_empty) return false;
-    const RootList list = face_roots(cone, ray_);
+    const RootList list = roots(cone);
     if (list.count < 2 || !list.begins_negative) {
       narrow(slab, 0, list);
       return push(slab);
@@ -71,7 +77,8 @@ class PrimitiveSpans {
 
   bool operator()(const std::shared_ptr<const ClosedMesh>& mesh) {
     const std::uint32_t first = stack_.size();
-    mesh->passages(ray_, [&](std::uint32_t face, bool) { push(face, face_roots(mesh->facet(face), ray_)); });
+    mesh->passages(FramedRay(ray_.ray(), frame_),
+                   [&](std::uint32_t face, bool) { push(face, roots(mesh->facet(face))); });
     sort(first);
     cancel(first);
     return false;
@@ -85,6 +92,17 @@ class PrimitiveSpans {
     bool is_empty = false;
   };
 
+  bool is_quick() const { return !frame_ && primitive_.is_moderate && ray_.is_moderate(); }
+
+  template <class S>
+  RootList roots(const S& surface) const {
+    return quick_roots<level>(surface, ray_, frame_, primitive_.is_moderate);
+  }
+
+  /// Where a plane across an axis is passed.
+  Boundary boundary(int face, double t) const {
+    return {t, QuickRay<level>::radius_of(t), id_, static_cast<std::uint32_t>(face), 0, false};
+  }
   Boundary boundary(std::uint32_t face, const RootList& list, int i) const {
     const Root& root = list.roots[static_cast<std::size_t>(i)];
     return {root.t, root.radius, id_, face, static_cast<std::uint8_t>(i), false};
@@ -134,10 +152,40 @@ class PrimitiveSpans {
     }
   }
 
+  /// By the faces of a box of which none passes through an edge, nearly; else returns false.
+  bool narrow_by_slabs(Convex& span, const solid::Box& box) const {
+    double enter[3], leave[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      const double a = ray_.passing(axis, box.lo[axis]), b = ray_.passing(axis, box.hi[axis]);
+      enter[axis] = a < b ? a : b;
+      leave[axis] = a < b ? b : a;
+    }
+    int first = enter[1] > enter[0], last = leave[1] < leave[0];
+    if (enter[2] > enter[first]) first = 2;
+    if (leave[2] < leave[last]) last = 2;
+    const double in = enter[first], out = leave[last];
+    span.is_empty = in > out;
+    if (!are_apart(in, out)) return false;
+    if (span.is_empty) return true;
+    for (int other = 1; other < 3; ++other) {
+      if (!are_apart(in, enter[(first + other) % 3]) || !are_apart(out, leave[(last + other) % 3])) return false;
+    }
+    const Vec3d& direction = ray_.ray().direction;
+    span.enter = boundary(2 * first + (direction[first] < 0), in);
+    span.leave = boundary(2 * last + (direction[last] > 0), out);
+    span.has_enter = span.has_leave = true;
+    return true;
+  }
+
+  static bool are_apart(double a, double b) {
+    if (level == Level::fast) return a != b;
+    return std::fabs(a - b) > (std::fabs(a) + std::fabs(b)) * (2 * QuickRay<level>::passing_share) + QuickRay<level>::passing_step * 4;
+  }
+
   template <class Shape>
   void narrow_by_caps(Convex& span, const Shape& shape) const {
     for (std::uint32_t face = 1; face <= 2 && !span.is_empty; ++face) {
-      std::visit([&](const auto& plane) { narrow(span, face, face_roots(plane, ray_)); },
+      std::visit([&](const auto& plane) { narrow(span, face, roots(plane)); },
                  plane_of(cap_of(shape, face == 2)));
     }
   }
@@ -165,7 +213,8 @@ class PrimitiveSpans {
 
   const Primitive& primitive_;
   std::uint32_t id_;
-  LocalRay<level> ray_;
+  const QuickRay<level>& ray_;
+  const Frame* frame_;
   const BoundaryOrder<level>& order_;
   SpanStack& stack_;
 };
@@ -174,7 +223,7 @@ class PrimitiveSpans {
 
 /// The spans of a solid's primitive along the whole line of a ray, on top of the stack.
 template <Level level>
-SpanList primitive_spans(const Solid& solid, std::uint32_t id, const Ray<double>& ray,
+SpanList primitive_spans(const Solid& solid, std::uint32_t id, const QuickRay<level>& ray,
                          const BoundaryOrder<level>& order, SpanStack& stack) {
   return detail::PrimitiveSpans<level>(solid, id, ray, order, stack).run();
 }

@@ -91,7 +91,8 @@ class Solid::Builder {
     check(tree.frame);
     Draft draft;
     draft.node.primitive = static_cast<std::uint32_t>(solid_.primitives_.size());
-    solid_.primitives_.push_back({tree.shape, number_of(tree.frame), number_of(tree.material)});
+    solid_.primitives_.push_back(
+        {tree.shape, number_of(tree.frame), number_of(tree.material), is_moderate(tree.shape, tree.frame)});
     if (const auto bounds = bounds_of(tree.shape, tree.frame)) {
       draft.node.is_bounded = true;
       draft.node.bounds = *bounds;
