@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <vector>
 
 #include "sightline/accel/padded_ray.h"
 #include "sightline/csg/primitive_spans.h"
@@ -33,7 +32,7 @@ struct SolidStats : NoSolidProbe {
   void transition(std::uint32_t, const Transition&, bool, double) { ++transitions; }
 };
 
-/// A ray made ready for all solids within some bounds. Refers to it.
+/// A ray made ready for all solids within some bounds.
 template <Level level>
 class SolidRay {
  public:
@@ -69,9 +68,10 @@ class SolidEvaluator {
   using Window = Interval<double>;
 
   SolidEvaluator(const Solid& solid, const Ray<double>& ray, Probe& probe)
-      : SolidEvaluator(solid, SolidRay<level>(ray, solid.extent()), probe) {}
+      : solid_(solid), own_ray_(SolidRay<level>(ray, solid.extent())), ray_(*own_ray_), order_(solid, ray), probe_(probe) {}
+  /// The ray is ready for all that the solid extends to.
   SolidEvaluator(const Solid& solid, const SolidRay<level>& ray, Probe& probe)
-      : solid_(solid), ray_(ray), order_(solid, ray_.ray()), probe_(probe) {}
+      : solid_(solid), ray_(ray), order_(solid, ray.ray()), probe_(probe) {}
 
   /// The solid's spans within the window; all of them without one. A ray that is not valid has none.
   SpanList spans(Window window = {-infinity, infinity}) {
@@ -100,7 +100,7 @@ class SolidEvaluator {
 
   /// V2
   bool is_met(const SolidNode& node, const Window& window) const {
-    if (!node.is_bounded || !solid_.options().use_bounds) return true;
+    if (!node.is_tested || !solid_.options().use_bounds) return true;
     if (node.bounds.is_empty()) return false;
     const Interval<Real> range = ray_.padded().clip(node.bounds, std::numeric_limits<Real>::infinity());
     return !(range.lo > above(window.hi)) && !(range.hi < below(window.lo)) && !(range.lo > range.hi);
@@ -176,26 +176,30 @@ class SolidEvaluator {
                   const Window& window) {
     const Operation operation = node.operation == Operation::differ ? Operation::differ : Operation::unite;
     const OperandIndex* operands = solid_.index_of(node);
-    if (!operands || !solid_.options().index_operands) return folded(index, operation, children, window);
-    const std::size_t begin = found_.size();
+    if (!operands || !solid_.options().index_operands) {
+      return folded(index, operation, 0, children.size(), window, [&](std::size_t i) { return children[i]; });
+    }
+    const std::uint32_t begin = found_.size();
     Ray<double> part = ray_.ray();
     part.t_min = window.lo, part.t_max = window.hi;
     operands->find(part, found_);
-    std::sort(found_.begin() + static_cast<std::ptrdiff_t>(begin), found_.end());
-    found_.erase(std::unique(found_.begin() + static_cast<std::ptrdiff_t>(begin), found_.end()), found_.end());
-    std::vector<std::uint32_t> met;
-    for (std::size_t i = begin; i < found_.size(); ++i) met.push_back(children[found_[i]]);
-    found_.resize(begin);
-    return folded(index, operation, met, window);
+    std::sort(found_.begin() + begin, found_.end());
+    found_.truncate(static_cast<std::uint32_t>(std::unique(found_.begin() + begin, found_.end()) - found_.begin()));
+    const SpanList list = folded(index, operation, begin, found_.size(), window,
+                                 [&](std::size_t i) { return children[found_[static_cast<std::uint32_t>(i)]]; });
+    found_.truncate(begin);
+    return list;
   }
 
   /// By halves, so that a boundary passes through as many merges as the logarithm of the number of operands.
-  SpanList folded(std::uint32_t index, Operation operation, std::span<const std::uint32_t> children,
-                  const Window& window) {
-    if (children.empty()) return nothing();
-    if (children.size() == 1) return evaluate(children[0], window);
-    const SpanList a = folded(index, operation, children.first(children.size() / 2), window);
-    const SpanList b = folded(index, operation, children.subspan(children.size() / 2), window);
+  template <class Child>
+  SpanList folded(std::uint32_t index, Operation operation, std::size_t begin, std::size_t end, const Window& window,
+                  const Child& child) {
+    if (begin == end) return nothing();
+    if (end - begin == 1) return evaluate(child(begin), window);
+    const std::size_t middle = begin + (end - begin) / 2;
+    const SpanList a = folded(index, operation, begin, middle, window, child);
+    const SpanList b = folded(index, operation, middle, end, window, child);
     return combined(index, operation, a, b);
   }
 
@@ -339,11 +343,12 @@ class SolidEvaluator {
   }
 
   const Solid& solid_;
-  const SolidRay<level> ray_;
+  const std::optional<SolidRay<level>> own_ray_;
+  const SolidRay<level>& ray_;
   BoundaryOrder<level> order_;
   Probe& probe_;
   SpanStack stack_;
-  std::vector<std::uint32_t> found_;
+  OperandList found_;
 };
 
 }  // namespace sightline

@@ -83,7 +83,7 @@ class QuickRay {
   using Real = std::conditional_t<level == Level::fast, float, double>;
   using Number = std::conditional_t<level == Level::fast, float, SizedDouble>;
 
-  QuickRay(const Ray<double>& ray, const Vec3<Real>& inverse) : ray_(&ray), inverse_(inverse) {
+  QuickRay(const Ray<double>& ray, const Vec3<Real>& inverse) : ray_(ray), inverse_(inverse) {
     constexpr double largest = SizedDouble::largest;
     is_moderate_ = max_norm(ray.origin) <= largest && max_norm(ray.direction) <= largest;
     for (int axis = 0; axis < 3; ++axis) {
@@ -93,14 +93,14 @@ class QuickRay {
     }
   }
 
-  const Ray<double>& ray() const { return *ray_; }
+  const Ray<double>& ray() const { return ray_; }
   bool is_moderate() const { return is_moderate_; }
   bool has_zero() const { return has_zero_; }
 
   /// Where a plane across an axis is passed, if the direction is not 0 there. In double off by three roundings:
   /// passing_share of it, and less than passing_step where that underflows.
   Real passing(int axis, double position) const {
-    return (static_cast<Real>(position) - static_cast<Real>(ray_->origin[axis])) * inverse_[axis];
+    return (static_cast<Real>(position) - static_cast<Real>(ray_.origin[axis])) * inverse_[axis];
   }
   static double radius_of(double t) {
     return level == Level::fast ? 0 : passing_share * std::fabs(t) + passing_step;
@@ -108,15 +108,28 @@ class QuickRay {
   static constexpr double passing_share = 0x1p-51, passing_step = 0x1p-900;
 
  private:
-  const Ray<double>* ray_;
+  Ray<double> ray_;
   Vec3<Real> inverse_;
   bool is_moderate_, has_zero_ = false;
 };
 
+namespace detail {
+
+/// In line to the last operation, so that the compiler knows how deep each expression is.
+template <class N, class S>
+[[gnu::flatten]] RootList roots_in_world(const S& surface, const Ray<double>& ray) {
+  return roots_of(solid::form_of(surface, FramedRay(ray).in_world<N>()));
+}
+template <class N, class S>
+[[gnu::flatten]] RootList roots_in_frame(const S& surface, const Ray<double>& ray, const Frame& frame) {
+  return roots_of(solid::form_of(surface, FramedRay(ray, &frame).in<N>()));
+}
+
+}  // namespace detail
+
 /// As certain as face_roots of number, order and multiplicities, but as for t only of its radius, which may be larger.
 template <Level level, class S>
 RootList quick_roots(const S& surface, const QuickRay<level>& quick, const Frame* frame, bool is_moderate) {
-  const FramedRay ray(quick.ray(), frame);
   if constexpr (std::is_same_v<S, solid::Torus>) {
     constexpr Level enough = level == Level::exact ? Level::precise : level;
     return face_roots<enough>(surface, LocalRay<enough>(quick.ray(), frame));
@@ -132,9 +145,8 @@ RootList quick_roots(const S& surface, const QuickRay<level>& quick, const Frame
           return list;
         }
       }
-      // Apart, so that the compiler knows how deep each expression is.
-      const RootList list = frame ? detail::roots_of(solid::form_of(surface, ray.in<Number>()))
-                                  : detail::roots_of(solid::form_of(surface, ray.in_world<Number>()));
+      const RootList list = frame ? detail::roots_in_frame<Number>(surface, quick.ray(), *frame)
+                                  : detail::roots_in_world<Number>(surface, quick.ray());
       if (list.is_certain) [[likely]]
         return list;
     }

@@ -33,13 +33,12 @@ class IndexOf final : public OperandIndex {
  public:
   explicit IndexOf(std::span<const Aabb> boxes) : structure_(Structure::build(Boxes(boxes), {})) {}
 
-  void find(const Ray<double>& ray, std::vector<std::uint32_t>& found) const override {
+  void find(const Ray<double>& ray, OperandList& found) const override {
     NoProbe probe;
     structure_.traverse(
         ray,
         [&](LeafRange leaf) {
-          const auto ids = structure_.leaf_order().subspan(leaf.first, leaf.count);
-          found.insert(found.end(), ids.begin(), ids.end());
+          for (const std::uint32_t id : structure_.leaf_order().subspan(leaf.first, leaf.count)) found.push(id);
           return ray.t_max;
         },
         probe);

@@ -174,12 +174,15 @@ class Solid::Builder {
     }
   }
 
-  /// Moves a draft and what it is made of into the solid, children first (N1).
-  std::uint32_t place(std::uint32_t index, bool is_complement = false) {
+  /// Moves a draft and what it is made of into the solid, children first (N1). `tested` holds all that is asked about
+  /// when it comes to this node.
+  std::uint32_t place(std::uint32_t index, bool is_complement = false, const Aabb* tested = nullptr) {
     Draft& draft = drafts_[index];
     draft.node.is_complement ^= is_complement;
+    draft.node.is_tested = draft.node.is_bounded && !(tested && draft.node.bounds.contains(*tested));
+    if (draft.node.is_tested) tested = &draft.node.bounds;
     std::vector<std::uint32_t> children;
-    for (const std::uint32_t child : draft.children) children.push_back(place(child));
+    for (const std::uint32_t child : draft.children) children.push_back(place(child, false, tested));
     draft.node.first_child = static_cast<std::uint32_t>(solid_.children_.size());
     draft.node.child_count = static_cast<std::uint32_t>(children.size());
     solid_.children_.insert(solid_.children_.end(), children.begin(), children.end());

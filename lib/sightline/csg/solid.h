@@ -50,7 +50,8 @@ struct SolidNode {
   Operation operation = Operation::unite;  ///< A subtraction takes all children but the first from the first.
   bool is_complement = false;              ///< Of what the rest says.
   bool is_bounded = false;
-  Aabb bounds;  ///< Holds the node, where that is bounded.
+  bool is_tested = false;  ///< Rays are tested with the bounds: it is bounded, and more narrowly than its parents.
+  Aabb bounds;             ///< Holds the node, where that is bounded.
   std::uint32_t primitive = 0;
   std::uint32_t first_child = 0, child_count = 0;
   std::uint32_t index = no_index;  ///< Of the accelerator that finds the children, but for a subtraction's first.

@@ -1,13 +1,11 @@
 #pragma once
 /// Where a ray enters and leaves a solid.
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <vector>
 
-#include "sightline/math/interval.h"
+#include "sightline/csg/small_stack.h"
 
 namespace sightline {
 
@@ -33,48 +31,11 @@ struct SpanList {
   bool is_all() const { return count == 0 && begins_inside; }
 };
 
-/// Holds the lists of a solid's operands while they are combined: each follows the one before. Short stacks take no
-/// memory from the heap.
-class SpanStack {
+/// Holds the lists of a solid's operands while they are combined: each follows the one before.
+class SpanStack : public SmallStack<Boundary, 48> {
  public:
-  SpanStack() = default;
-  SpanStack(const SpanStack&) = delete;
-  SpanStack& operator=(const SpanStack&) = delete;
-
-  std::uint32_t size() const { return size_; }
-  Boundary& operator[](std::uint32_t i) { return data_[i]; }
-  const Boundary& operator[](std::uint32_t i) const { return data_[i]; }
-  std::span<const Boundary> operator[](const SpanList& list) const { return {data_ + list.first, list.count}; }
-
-  void push(const Boundary& boundary) {
-    if (size_ == capacity_) grow();
-    data_[size_++] = boundary;
-  }
-  void truncate(std::uint32_t size) { size_ = size; }
-
-  /// Removes the boundaries in [first, last); those behind move up.
-  void erase(std::uint32_t first, std::uint32_t last) {
-    std::copy(data_ + last, data_ + size_, data_ + first);
-    size_ -= last - first;
-  }
-
- private:
-  void grow() {
-    std::vector<Boundary> larger(2 * static_cast<std::size_t>(capacity_));
-    std::copy(data_, data_ + size_, larger.data());
-    heap_ = std::move(larger);
-    data_ = heap_.data();
-    capacity_ *= 2;
-  }
-
-  static constexpr std::uint32_t small = 48;
-  union Small {
-    Small() {}  // left as it is: most queries write a few
-    std::array<Boundary, small> boundaries;
-  } small_;
-  std::vector<Boundary> heap_;
-  Boundary* data_ = small_.boundaries.data();
-  std::uint32_t size_ = 0, capacity_ = small;
+  using SmallStack::operator[];
+  std::span<const Boundary> operator[](const SpanList& list) const { return part(list.first, list.count); }
 };
 
 /// Calls see(lo, hi, entering boundary or nullptr, leaving one or nullptr) for each interval of a list, which may reach
