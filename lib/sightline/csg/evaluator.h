@@ -205,31 +205,43 @@ class SolidEvaluator {
 
   /// Merges two lists, b behind a on top of the stack, into the list of the result in their place.
   SpanList combined(std::uint32_t index, Operation operation, const SpanList& a, const SpanList& b) {
+    if (!Probe::sees_transitions && a.is_empty() && (operation == Operation::unite || operation == Operation::differ)) {
+      return b;
+    }
     SpanList list{a.first, 0, is_inside(operation, a.begins_inside, b.begins_inside)};
-    const std::uint32_t end_a = a.first + a.count, end_b = b.first + b.count;
     if (!Probe::sees_transitions && b.is_empty() && operation != Operation::intersect) {
       list.count = a.count;
       return list;
     }
+    merge(index, operation, a, b, [&](const Boundary& boundary) {
+      stack_.push(boundary);
+      return true;
+    });
+    stack_.erase(a.first, b.first + b.count);
+    list.count = stack_.size() - a.first;
+    return list;
+  }
+
+  /// Calls take(boundary) for the boundaries of the result of two lists, in order, until it returns false.
+  template <class Take>
+  [[gnu::always_inline]] void merge(std::uint32_t index, Operation operation, const SpanList& a, const SpanList& b,
+                                    Take&& take) {
+    const std::uint32_t end_a = a.first + a.count, end_b = b.first + b.count;
     bool is_in_a = a.begins_inside, is_in_b = b.begins_inside;
     for (std::uint32_t i = a.first, j = b.first; i < end_a || j < end_b;) {
       const int order = i == end_a ? 1 : j == end_b ? -1 : order_(stack_[i], stack_[j]);
       const Transition step{is_in_a, is_in_a != (order <= 0), is_in_b, is_in_b != (order >= 0)};
       is_in_a = step.is_in_a, is_in_b = step.is_in_b;
-      const Boundary& from_a = stack_[i < end_a ? i : j];
-      const Boundary& from_b = stack_[j < end_b ? j : i];
-      const bool takes_a = order < 0 || (order == 0 && from_a.primitive <= from_b.primitive);
-      Boundary boundary = takes_a ? from_a : from_b;
+      const bool takes_a = order < 0 || (order == 0 && stack_[i].primitive <= stack_[j].primitive);
+      const std::uint32_t from = takes_a ? i : j;
       const bool kept = is_kept(operation, step);
-      probe_.transition(index, step, kept, boundary.t);
+      probe_.transition(index, step, kept, stack_[from].t);
       i += order <= 0, j += order >= 0;
       if (!kept) continue;
+      Boundary boundary = stack_[from];
       boundary.is_flipped ^= (takes_a ? step.is_in_a : step.is_in_b) != is_inside(operation, step);
-      stack_.push(boundary);
+      if (!take(boundary)) return;
     }
-    stack_.erase(a.first, end_b);
-    list.count = stack_.size() - a.first;
-    return list;
   }
 
   // ---- What is reported (V3)
@@ -262,12 +274,19 @@ class SolidEvaluator {
 
   // ---- The first boundary
 
+  /// Of those that a step of a merge reports, the first behind the window's begin ends it.
+  bool is_first(const Boundary& boundary, const Window& window, std::optional<Boundary>& first) const {
+    if (!is_behind(boundary, window.lo)) return false;
+    if (!is_behind(boundary, window.hi)) first = refined(boundary);
+    return true;
+  }
+
   std::optional<Boundary> first_in(const SpanList& list, const Window& window) const {
+    std::optional<Boundary> first;
     for (const Boundary& boundary : stack_[list]) {
-      if (!is_behind(boundary, window.lo)) continue;
-      return is_behind(boundary, window.hi) ? std::nullopt : std::optional(refined(boundary));
+      if (is_first(boundary, window, first)) break;
     }
-    return std::nullopt;
+    return first;
   }
 
   /// Whether the ray is inside just behind the window's begin.
@@ -323,20 +342,23 @@ class SolidEvaluator {
     bool is_inside = minuend.begins_inside;
     for (std::uint32_t i = 0; i <= minuend.count; ++i, is_inside = !is_inside) {
       if (!is_inside) continue;
-      // The span from the boundary before i to the one at i, either of which may be missing.
-      SpanList span{size, 0, i == 0};
-      for (std::uint32_t end = i == 0 ? 0 : i - 1; end <= i && end < minuend.count; ++end) {
-        const Boundary boundary = stack_[minuend.first + end];
-        stack_.push(boundary);
-        ++span.count;
-      }
-      const double lo = i == 0 ? -infinity : stack_[size].t - stack_[size].radius;
-      const double hi = i == minuend.count ? infinity : stack_[stack_.size() - 1].t + stack_[stack_.size() - 1].radius;
-      if (lo > window.hi) break;
-      if (hi >= window.lo) {
-        const auto boundary = first_in(subtracted(index, node, span, window), window);
-        if (boundary) return boundary;
-      }
+      // From the boundary before i to the one at i, either of which may be missing.
+      const std::uint32_t begin = i == 0 ? 0 : i - 1, end = std::min(i + 1, minuend.count);
+      const SpanList span{minuend.first + begin, end - begin, i == 0};
+      const Window own{i == 0 ? -infinity : stack_[span.first].t - stack_[span.first].radius,
+                       i == minuend.count ? infinity : stack_[minuend.first + i].t + stack_[minuend.first + i].radius};
+      if (own.lo > window.hi) break;
+      if (own.hi < window.lo) continue;
+      const Window both =
+          solid_.options().skip_empty ? Window{std::max(own.lo, window.lo), std::min(own.hi, window.hi)} : window;
+      const SpanList rest = folded(index, node, solid_.children(node).subspan(1), both);
+      std::optional<Boundary> first;
+      bool is_done = false;
+      merge(index, Operation::subtract, span, rest, [&](const Boundary& boundary) {
+        is_done = is_first(boundary, window, first);
+        return !is_done;
+      });
+      if (is_done) return first;
       stack_.truncate(size);
     }
     return std::nullopt;

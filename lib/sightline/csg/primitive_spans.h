@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "sightline/csg/boundary_order.h"
-#include "sightline/csg/face_roots.h"
+#include "sightline/csg/quick_spans.h"
 
 namespace sightline {
 
@@ -25,7 +25,7 @@ class PrimitiveSpans {
         order_(order),
         stack_(stack) {}
 
-  SpanList run() {
+  [[gnu::noinline]] SpanList run() {
     const std::uint32_t first = stack_.size();
     const bool begins = std::visit(*this, primitive_.shape);
     return {first, stack_.size() - first, begins};
@@ -42,9 +42,6 @@ class PrimitiveSpans {
 
   bool operator()(const solid::Box& box) {
     Convex span;
-    if (is_quick() && !ray_.has_zero() && narrow_by_slabs(span, box)) [[likely]]
-      return push(span);
-    span = {};
     for (std::uint32_t face = 0; face < 6 && !span.is_empty; ++face) {
       narrow(span, face, roots(solid::face_of(box, face)));
     }
@@ -92,17 +89,11 @@ class PrimitiveSpans {
     bool is_empty = false;
   };
 
-  bool is_quick() const { return !frame_ && primitive_.is_moderate && ray_.is_moderate(); }
-
   template <class S>
   RootList roots(const S& surface) const {
     return quick_roots<level>(surface, ray_, frame_, primitive_.is_moderate);
   }
 
-  /// Where a plane across an axis is passed.
-  Boundary boundary(int face, double t) const {
-    return {t, QuickRay<level>::radius_of(t), id_, static_cast<std::uint32_t>(face), 0, false};
-  }
   Boundary boundary(std::uint32_t face, const RootList& list, int i) const {
     const Root& root = list.roots[static_cast<std::size_t>(i)];
     return {root.t, root.radius, id_, face, static_cast<std::uint8_t>(i), false};
@@ -152,36 +143,6 @@ class PrimitiveSpans {
     }
   }
 
-  /// By the faces of a box of which none passes through an edge, nearly; else returns false.
-  bool narrow_by_slabs(Convex& span, const solid::Box& box) const {
-    double enter[3], leave[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      const double a = ray_.passing(axis, box.lo[axis]), b = ray_.passing(axis, box.hi[axis]);
-      enter[axis] = a < b ? a : b;
-      leave[axis] = a < b ? b : a;
-    }
-    int first = enter[1] > enter[0], last = leave[1] < leave[0];
-    if (enter[2] > enter[first]) first = 2;
-    if (leave[2] < leave[last]) last = 2;
-    const double in = enter[first], out = leave[last];
-    span.is_empty = in > out;
-    if (!are_apart(in, out)) return false;
-    if (span.is_empty) return true;
-    for (int other = 1; other < 3; ++other) {
-      if (!are_apart(in, enter[(first + other) % 3]) || !are_apart(out, leave[(last + other) % 3])) return false;
-    }
-    const Vec3d& direction = ray_.ray().direction;
-    span.enter = boundary(2 * first + (direction[first] < 0), in);
-    span.leave = boundary(2 * last + (direction[last] > 0), out);
-    span.has_enter = span.has_leave = true;
-    return true;
-  }
-
-  static bool are_apart(double a, double b) {
-    if (level == Level::fast) return a != b;
-    return std::fabs(a - b) > (std::fabs(a) + std::fabs(b)) * (2 * QuickRay<level>::passing_share) + QuickRay<level>::passing_step * 4;
-  }
-
   template <class Shape>
   void narrow_by_caps(Convex& span, const Shape& shape) const {
     for (std::uint32_t face = 1; face <= 2 && !span.is_empty; ++face) {
@@ -223,9 +184,31 @@ class PrimitiveSpans {
 
 /// The spans of a solid's primitive along the whole line of a ray, on top of the stack.
 template <Level level>
-SpanList primitive_spans(const Solid& solid, std::uint32_t id, const QuickRay<level>& ray,
+[[gnu::always_inline]] inline SpanList primitive_spans(const Solid& solid, std::uint32_t id, const QuickRay<level>& ray,
                          const BoundaryOrder<level>& order, SpanStack& stack) {
-  return detail::PrimitiveSpans<level>(solid, id, ray, order, stack).run();
+  const Primitive& primitive = solid.primitives()[id];
+  detail::QuickSpan quick;
+  if (primitive.is_moderate && ray.is_moderate()) [[likely]] {
+    const detail::QuickSpans<level> spans(ray, solid.frame_of(primitive));
+    if (const auto* sphere = std::get_if<solid::Sphere>(&primitive.shape)) {
+      quick = spans(*sphere);
+    } else if (const auto* box = std::get_if<solid::Box>(&primitive.shape)) {
+      quick = spans(*box);
+    } else if (const auto* cylinder = std::get_if<solid::Cylinder>(&primitive.shape)) {
+      quick = spans(*cylinder);
+    }
+  }
+  if (quick.kind == detail::QuickSpan::Kind::unclear) [[unlikely]]
+    return detail::PrimitiveSpans<level>(solid, id, ray, order, stack).run();
+  SpanList list{stack.size(), 0, false};
+  if (quick.kind == detail::QuickSpan::Kind::empty) return list;
+  list.count = 2;
+  const auto push = [&](const detail::QuickSpan::End& end) {
+    stack.push({end.t, end.radius, id, end.face, end.root, false});
+  };
+  push(quick.enter);
+  push(quick.leave);
+  return list;
 }
 
 }  // namespace sightline
