@@ -129,7 +129,7 @@ class SolidEvaluator {
   SpanList finished(std::uint32_t index, const SolidNode& node, SpanList list) {
     if (node.is_complement) {
       list.begins_inside = !list.begins_inside;
-      for (std::uint32_t i = list.first; i < list.first + list.count; ++i) stack_[i].is_flipped = !stack_[i].is_flipped;
+      for (Boundary& boundary : stack_.part(list)) boundary.is_flipped = !boundary.is_flipped;
     }
     probe_.spans(index, stack_[list], list.begins_inside);
     return list;
@@ -261,7 +261,7 @@ class SolidEvaluator {
     return boundary;
   }
   void refine(const SpanList& list) {
-    for (std::uint32_t i = list.first; i < list.first + list.count; ++i) stack_[i] = refined(stack_[i]);
+    for (Boundary& boundary : stack_.part(list)) boundary = refined(boundary);
   }
 
   /// Whether the boundary would be reported behind t.
@@ -343,7 +343,7 @@ class SolidEvaluator {
     for (std::uint32_t i = 0; i <= minuend.count; ++i, is_inside = !is_inside) {
       if (!is_inside) continue;
       // From the boundary before i to the one at i, either of which may be missing.
-      const std::uint32_t begin = i == 0 ? 0 : i - 1, end = std::min(i + 1, minuend.count);
+      const std::uint32_t begin = i == 0 ? 0 : i - 1, end = std::min<std::uint32_t>(i + 1, minuend.count);
       const SpanList span{minuend.first + begin, end - begin, i == 0};
       const Window own{i == 0 ? -infinity : stack_[span.first].t - stack_[span.first].radius,
                        i == minuend.count ? infinity : stack_[minuend.first + i].t + stack_[minuend.first + i].radius};

@@ -40,7 +40,7 @@ RootList roots_of(const solid::QuadraticForm<N>& form) {
 /// Whether a level asks for no more than what is known of a root; of the exact one that does not tell.
 template <Level level>
 bool is_accurate(double t, double radius) {
-  constexpr double share = level == Level::watertight ? 0x1p-46 : 0x1p-52;
+  constexpr double share = level == Level::watertight ? 0x1p-40 : 0x1p-52;
   return level == Level::fast || (level != Level::exact && radius <= share * std::fabs(t));
 }
 
@@ -58,7 +58,7 @@ bool are_accurate(const RootList& list) {
 
 }  // namespace detail
 
-/// Levels above fast are certain of number, order and multiplicities, and t is off by less than 2^-46 of itself
+/// Levels above fast are certain of number, order and multiplicities, and t is off by less than 2^-40 of itself
 /// (watertight), by less than its last place (precise), or correctly rounded (exact).
 template <Level level, class S>
 RootList face_roots(const S& surface, const LocalRay<level>& ray) {

@@ -96,7 +96,7 @@ class PrimitiveSpans {
 
   Boundary boundary(std::uint32_t face, const RootList& list, int i) const {
     const Root& root = list.roots[static_cast<std::size_t>(i)];
-    return {root.t, root.radius, id_, face, static_cast<std::uint8_t>(i), false};
+    return {root.t, root.radius, id_, face, static_cast<std::uint32_t>(i)};
   }
 
   /// Roots of even multiplicity only touch. Rounded ones may be equal.
@@ -187,28 +187,26 @@ template <Level level>
 [[gnu::always_inline]] inline SpanList primitive_spans(const Solid& solid, std::uint32_t id, const QuickRay<level>& ray,
                          const BoundaryOrder<level>& order, SpanStack& stack) {
   const Primitive& primitive = solid.primitives()[id];
-  detail::QuickSpan quick;
+  SpanList list{stack.size(), 0, false};
   if (primitive.is_moderate && ray.is_moderate()) [[likely]] {
     const detail::QuickSpans<level> spans(ray, solid.frame_of(primitive));
+    const auto push = [&](const detail::QuickSpan& quick) {
+      if (quick.kind == detail::QuickSpan::Kind::span) {
+        stack.push({quick.enter.t, quick.enter.radius, id, quick.enter.face, quick.enter.root});
+        stack.push({quick.leave.t, quick.leave.radius, id, quick.leave.face, quick.leave.root});
+        list.count = 2;
+      }
+      return quick.kind != detail::QuickSpan::Kind::unclear;
+    };
     if (const auto* sphere = std::get_if<solid::Sphere>(&primitive.shape)) {
-      quick = spans(*sphere);
+      if (push(spans(*sphere))) return list;
     } else if (const auto* box = std::get_if<solid::Box>(&primitive.shape)) {
-      quick = spans(*box);
+      if (push(spans(*box))) return list;
     } else if (const auto* cylinder = std::get_if<solid::Cylinder>(&primitive.shape)) {
-      quick = spans(*cylinder);
+      if (push(spans(*cylinder))) return list;
     }
   }
-  if (quick.kind == detail::QuickSpan::Kind::unclear) [[unlikely]]
-    return detail::PrimitiveSpans<level>(solid, id, ray, order, stack).run();
-  SpanList list{stack.size(), 0, false};
-  if (quick.kind == detail::QuickSpan::Kind::empty) return list;
-  list.count = 2;
-  const auto push = [&](const detail::QuickSpan::End& end) {
-    stack.push({end.t, end.radius, id, end.face, end.root, false});
-  };
-  push(quick.enter);
-  push(quick.leave);
-  return list;
+  return detail::PrimitiveSpans<level>(solid, id, ray, order, stack).run();
 }
 
 }  // namespace sightline

@@ -8,13 +8,11 @@
 
 namespace sightline::detail {
 
-/// One span, both ends of which are faces passed at clearly different t, or none. All stays in registers: what is
-/// stored in parts and at once loaded as a whole takes as long as a division.
+/// One span, both ends of which are faces passed at clearly different t, or none.
 struct QuickSpan {
   struct End {
     double t, radius;
-    std::uint32_t face;
-    std::uint8_t root;
+    std::uint32_t face, root;
   };
 
   enum class Kind { unclear, empty, span };
@@ -23,6 +21,8 @@ struct QuickSpan {
   End enter{}, leave{};
 };
 
+/// Each shape's is one function with all that it calls in line, so that the compiler knows how deep every expression is
+/// and keeps what it finds in registers.
 template <Level level>
 class QuickSpans {
  public:
@@ -31,9 +31,11 @@ class QuickSpans {
 
   QuickSpans(const QuickRay<level>& ray, const Frame* frame) : ray_(ray), frame_(frame) {}
 
-  QuickSpan operator()(const solid::Sphere& sphere) const { return between_roots(sphere); }
+  [[gnu::flatten, gnu::noinline]] QuickSpan operator()(const solid::Sphere& sphere) const {
+    return between_roots(sphere);
+  }
 
-  [[gnu::flatten]] QuickSpan operator()(const solid::Box& box) const {
+  [[gnu::flatten, gnu::noinline]] QuickSpan operator()(const solid::Box& box) const {
     if (frame_ || ray_.has_zero()) return {};
     End enter, leave;
     pass(box, 0, enter, leave);
@@ -45,7 +47,7 @@ class QuickSpans {
     return between(enter, leave);
   }
 
-  [[gnu::flatten]] QuickSpan operator()(const solid::Cylinder& cylinder) const {
+  [[gnu::flatten, gnu::noinline]] QuickSpan operator()(const solid::Cylinder& cylinder) const {
     QuickSpan span = between_roots(cylinder);
     if (span.kind != Kind::span) return span;
     const int axis = axis_across(cap_of(cylinder, true));
@@ -60,7 +62,7 @@ class QuickSpans {
 
  private:
   template <class S>
-  [[gnu::flatten]] QuickSpan between_roots(const S& surface) const {
+  QuickSpan between_roots(const S& surface) const {
     using Number = typename QuickRay<level>::Number;
     const RootList list = frame_ ? roots_of(form_of(surface, FramedRay(ray_.ray(), frame_).template in<Number>()))
                                  : roots_of(form_of(surface, FramedRay(ray_.ray()).template in_world<Number>()));

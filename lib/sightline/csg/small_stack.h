@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <span>
 #include <type_traits>
 #include <vector>
 
 namespace sightline {
 
-/// A stack that takes no memory from the heap while it is short. Of plain values, since what is not yet pushed stays
-/// uninitialized.
+/// A stack that takes no memory from the heap while it is short. Of values that need no destruction, since what is not
+/// yet pushed stays uninitialized.
 template <class T, std::uint32_t small>
 class SmallStack {
-  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+  static_assert(std::is_trivially_destructible_v<T>);
 
  public:
   SmallStack() {}  // the values stay as they are: most queries write a few
@@ -23,7 +22,7 @@ class SmallStack {
   std::uint32_t size() const { return size_; }
   T& operator[](std::uint32_t i) { return data_[i]; }
   const T& operator[](std::uint32_t i) const { return data_[i]; }
-  std::span<const T> part(std::uint32_t first, std::uint32_t count) const { return {data_ + first, count}; }
+  const T* begin() const { return data_; }
   T* begin() { return data_; }
   T* end() { return data_ + size_; }
 
