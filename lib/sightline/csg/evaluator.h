@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "sightline/accel/padded_ray.h"
+#include "sightline/csg/convex_walk.h"
 #include "sightline/csg/primitive_spans.h"
 #include "sightline/csg/solid.h"
 
@@ -32,17 +33,21 @@ struct SolidStats : NoSolidProbe {
   void transition(std::uint32_t, const Transition&, bool, double) { ++transitions; }
 };
 
-/// A ray made ready for all solids within some bounds.
+/// A ray made ready for all solids within some bounds. Not to be shared by threads.
 template <Level level>
 class SolidRay {
  public:
   using Real = typename QuickRay<level>::Real;
 
   SolidRay(const Ray<double>& ray, const Aabb& extent)
-      : padded_(to_real(ray), extent), quick_(ray, padded_.inverse), is_valid_(sightline::is_valid(ray)) {}
+      : quick_(ray), extent_(extent), is_valid_(sightline::is_valid(ray)) {}
 
   const Ray<double>& ray() const { return quick_.ray(); }
-  const PaddedRay<Real>& padded() const { return padded_; }
+  /// Made when it is needed first: many solids are answered without.
+  const PaddedRay<Real>& padded() const {
+    if (!padded_) padded_.emplace(to_real(ray()), extent_);
+    return *padded_;
+  }
   const QuickRay<level>& quick() const { return quick_; }
   bool is_valid() const { return is_valid_; }
 
@@ -51,8 +56,9 @@ class SolidRay {
     return {Vec3<Real>(ray.origin), Vec3<Real>(ray.direction), -std::numeric_limits<Real>::infinity()};
   }
 
-  PaddedRay<Real> padded_;
   QuickRay<level> quick_;
+  Aabb extent_;
+  mutable std::optional<PaddedRay<Real>> padded_;
   bool is_valid_;
 };
 
@@ -87,6 +93,17 @@ class SolidEvaluator {
   std::optional<Boundary> first(double t_min, double t_max) {
     stack_.truncate(0);
     if (!ray_.is_valid()) return std::nullopt;
+    if constexpr (!Probe::sees_transitions) {
+      if (const ConvexParts* parts = solid_.convex_parts()) {
+        using Walk = ConvexWalk<level, Probe>;
+        Boundary boundary;
+        const auto outcome = Walk(solid_, *parts, ray_.quick(), probe_, found_).run(t_min, t_max, boundary);
+        if (outcome == Walk::Outcome::none) return std::nullopt;
+        if (outcome == Walk::Outcome::found) {
+          return is_behind(boundary, t_max) ? std::nullopt : std::optional(refined(boundary));
+        }
+      }
+    }
     return solid_.options().stop_early ? first_of(last_node(), {t_min, t_max})
                                        : first_in(evaluate(last_node(), {t_min, t_max}), {t_min, t_max});
   }

@@ -83,7 +83,7 @@ class QuickRay {
   using Real = std::conditional_t<level == Level::fast, float, double>;
   using Number = std::conditional_t<level == Level::fast, float, SizedDouble>;
 
-  QuickRay(const Ray<double>& ray, const Vec3<Real>& inverse) : ray_(ray), inverse_(inverse) {
+  explicit QuickRay(const Ray<double>& ray) : ray_(ray), inverse_(Real(1) / Vec3<Real>(ray.direction)) {
     constexpr double largest = SizedDouble::largest;
     is_moderate_ = max_norm(ray.origin) <= largest && max_norm(ray.direction) <= largest;
     for (int axis = 0; axis < 3; ++axis) {

@@ -187,24 +187,14 @@ template <Level level>
 [[gnu::always_inline]] inline SpanList primitive_spans(const Solid& solid, std::uint32_t id, const QuickRay<level>& ray,
                          const BoundaryOrder<level>& order, SpanStack& stack) {
   const Primitive& primitive = solid.primitives()[id];
+  const detail::QuickSpan quick = quick_span(primitive, solid.frame_of(primitive), ray);
   SpanList list{stack.size(), 0, false};
-  if (primitive.is_moderate && ray.is_moderate()) [[likely]] {
-    const detail::QuickSpans<level> spans(ray, solid.frame_of(primitive));
-    const auto push = [&](const detail::QuickSpan& quick) {
-      if (quick.kind == detail::QuickSpan::Kind::span) {
-        stack.push({quick.enter.t, quick.enter.radius, id, quick.enter.face, quick.enter.root});
-        stack.push({quick.leave.t, quick.leave.radius, id, quick.leave.face, quick.leave.root});
-        list.count = 2;
-      }
-      return quick.kind != detail::QuickSpan::Kind::unclear;
-    };
-    if (const auto* sphere = std::get_if<solid::Sphere>(&primitive.shape)) {
-      if (push(spans(*sphere))) return list;
-    } else if (const auto* box = std::get_if<solid::Box>(&primitive.shape)) {
-      if (push(spans(*box))) return list;
-    } else if (const auto* cylinder = std::get_if<solid::Cylinder>(&primitive.shape)) {
-      if (push(spans(*cylinder))) return list;
-    }
+  if (quick.kind == detail::QuickSpan::Kind::empty) return list;
+  if (quick.kind == detail::QuickSpan::Kind::span) [[likely]] {
+    stack.push({quick.enter.t, quick.enter.radius, id, quick.enter.face, quick.enter.root});
+    stack.push({quick.leave.t, quick.leave.radius, id, quick.leave.face, quick.leave.root});
+    list.count = 2;
+    return list;
   }
   return detail::PrimitiveSpans<level>(solid, id, ray, order, stack).run();
 }

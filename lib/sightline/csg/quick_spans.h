@@ -2,6 +2,7 @@
 /// Where a ray is inside the commonest primitives, where that is clear at once.
 
 #include <cmath>
+#include <variant>
 
 #include "sightline/csg/face_roots.h"
 #include "sightline/csg/span_list.h"
@@ -106,3 +107,24 @@ class QuickSpans {
 };
 
 }  // namespace sightline::detail
+
+namespace sightline {
+
+/// Unclear of all other shapes, and where the ray or the primitive is not moderate.
+template <Level level>
+[[gnu::always_inline]] inline detail::QuickSpan quick_span(const Primitive& primitive, const Frame* frame,
+                                                           const QuickRay<level>& ray) {
+  if (!primitive.is_moderate || !ray.is_moderate()) return {};
+  const detail::QuickSpans<level> spans(ray, frame);
+  if (const auto* sphere = std::get_if<solid::Sphere>(&primitive.shape)) return spans(*sphere);
+  if (const auto* box = std::get_if<solid::Box>(&primitive.shape)) return spans(*box);
+  if (const auto* cylinder = std::get_if<solid::Cylinder>(&primitive.shape)) return spans(*cylinder);
+  return {};
+}
+
+/// Whether it can be clear.
+inline bool has_quick_span(const Primitive& primitive) {
+  return primitive.is_moderate && primitive.frame == 0 && primitive.shape.index() >= 1 && primitive.shape.index() <= 3;
+}
+
+}  // namespace sightline
