@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "sightline/accel/padded_ray.h"
 #include "sightline/csg/quick_spans.h"
 #include "sightline/csg/solid.h"
 
@@ -91,12 +92,32 @@ class ConvexWalk {
     return way < 0 ? Outcome::found : Outcome::none;
   }
 
+  struct Point {
+    Vec3d position;
+    double pad;  ///< W2  More than the position is off by, and than the spans of what it is in may be.
+  };
+
+  Point point_at(double t) const {
+    const Ray<double>& ray = ray_.ray();
+    using Real = typename QuickRay<level>::Real;
+    return {ray.at(t), double(margin<Real>) * (max_norm(ray.origin) + std::fabs(t) * max_norm(ray.direction))};
+  }
+
+  /// Whether the box of two points meets another.
+  static bool may_meet(const Aabb& bounds, const Point& a, const Point& b) {
+    const double pad = std::fmax(a.pad, b.pad);
+    const Vec3d lo = glm::min(a.position, b.position) - pad, hi = glm::max(a.position, b.position) + pad;
+    return (lo.x <= bounds.hi.x) & (lo.y <= bounds.hi.y) & (lo.z <= bounds.hi.z) & (hi.x >= bounds.lo.x) &
+           (hi.y >= bounds.lo.y) & (hi.z >= bounds.lo.z);
+  }
+
   /// Calls see(primitive) for the parts taken away that may have anything in a window, until it returns false.
   template <class See>
   bool for_each_taken(double lo, double hi, See&& see) {
     if (!parts_.index) {
-      for (const std::uint32_t primitive : parts_.taken) {
-        if (!see(primitive)) return false;
+      const Point from = point_at(lo), to = point_at(hi);
+      for (const ConvexParts::Taken& taken : parts_.taken) {
+        if (may_meet(taken.bounds, from, to) && !see(taken.primitive)) return false;
       }
       return true;
     }
@@ -105,7 +126,7 @@ class ConvexWalk {
     part.t_min = lo, part.t_max = hi;
     parts_.index->find(part, found_);
     for (const std::uint32_t i : found_) {
-      if (!see(parts_.taken[i])) return false;
+      if (!see(parts_.taken[i].primitive)) return false;
     }
     return true;
   }

@@ -225,6 +225,7 @@ class Solid::Builder {
   void find_convex_parts() {
     const SolidNode& root = solid_.root();
     ConvexParts parts;
+    std::vector<std::uint32_t> taken;
     const auto last = static_cast<std::uint32_t>(solid_.nodes_.size()) - 1;
     const SolidNode* indexed = &root;
     bool is_simple = true;
@@ -232,7 +233,7 @@ class Solid::Builder {
       const auto children = solid_.children(root);
       is_simple = list_primitives(children[0], Operation::intersect, parts.kept);
       for (const std::uint32_t child : children.subspan(1)) {
-        is_simple = is_simple && list_primitives(child, Operation::unite, parts.taken);
+        is_simple = is_simple && list_primitives(child, Operation::unite, taken);
         // One that is no primitive must be the only one, for the index to count as the list does.
         if (!solid_.nodes_[child].is_primitive) indexed = children.size() == 2 ? &solid_.nodes_[child] : nullptr;
       }
@@ -240,6 +241,12 @@ class Solid::Builder {
       is_simple = list_primitives(last, Operation::intersect, parts.kept);
     }
     if (!is_simple) return;
+    for (const std::uint32_t primitive : taken) {
+      const auto node = std::find_if(solid_.nodes_.begin(), solid_.nodes_.end(), [&](const SolidNode& n) {
+        return n.is_primitive && n.primitive == primitive;
+      });
+      parts.taken.push_back({primitive, node->bounds});
+    }
     if (indexed && indexed->index != SolidNode::no_index) parts.index = solid_.indices_[indexed->index];
     solid_.convex_parts_ = std::move(parts);
   }

@@ -65,7 +65,13 @@ struct SolidNode {
 /// What a solid is: what the first ones, of which there is at least one, have in common, less all others. All are
 /// primitives with quick_span.
 struct ConvexParts {
-  std::vector<std::uint32_t> kept, taken;
+  struct Taken {
+    std::uint32_t primitive;
+    Aabb bounds;
+  };
+
+  std::vector<std::uint32_t> kept;
+  std::vector<Taken> taken;
   std::shared_ptr<const OperandIndex> index;  ///< Of `taken`, by place there; or null.
 };
 
