@@ -39,10 +39,11 @@ class PainterOf final : public Painter {
     float* shade = picture.shades.data();
     Ray<double> ray;
     ray.origin = camera.eye;
+    const Vec3d column = camera.right / double(camera.width);
     for (int y = 0; y < camera.height; ++y) {
       const Vec3d row = camera.forward + (camera.height - 2 * y - 1) / double(camera.height) * camera.up;
       for (int x = 0; x < camera.width; ++x, ++shade, ++rays) {
-        ray.direction = row + (2 * x + 1 - camera.width) / double(camera.width) * camera.right;
+        ray.direction = row + double(2 * x + 1 - camera.width) * column;
         *shade = static_cast<float>(shade_of(ray, scene.light, leaves, rays));
       }
     }

@@ -105,7 +105,7 @@ class ConvexWalk {
 
   /// Whether the box of two points meets another.
   static bool may_meet(const Aabb& bounds, const Point& a, const Point& b) {
-    const double pad = std::fmax(a.pad, b.pad);
+    const double pad = a.pad > b.pad ? a.pad : b.pad;
     const Vec3d lo = glm::min(a.position, b.position) - pad, hi = glm::max(a.position, b.position) + pad;
     return (lo.x <= bounds.hi.x) & (lo.y <= bounds.hi.y) & (lo.z <= bounds.hi.z) & (hi.x >= bounds.lo.x) &
            (hi.y >= bounds.lo.y) & (hi.z >= bounds.lo.z);

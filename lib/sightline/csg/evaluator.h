@@ -33,23 +33,23 @@ struct SolidStats : NoSolidProbe {
   void transition(std::uint32_t, const Transition&, bool, double) { ++transitions; }
 };
 
-/// A ray made ready for all solids within some bounds. Not to be shared by threads.
+/// A ray made ready for all solids within some bounds. Refers to both. Not to be shared by threads.
 template <Level level>
 class SolidRay {
  public:
   using Real = typename QuickRay<level>::Real;
 
   SolidRay(const Ray<double>& ray, const Aabb& extent)
-      : quick_(ray), extent_(extent), is_valid_(sightline::is_valid(ray)) {}
+      : quick_(ray), extent_(&extent) {}
 
   const Ray<double>& ray() const { return quick_.ray(); }
   /// Made when it is needed first: many solids are answered without.
   const PaddedRay<Real>& padded() const {
-    if (!padded_) padded_.emplace(to_real(ray()), extent_);
+    if (!padded_) padded_.emplace(to_real(ray()), *extent_);
     return *padded_;
   }
   const QuickRay<level>& quick() const { return quick_; }
-  bool is_valid() const { return is_valid_; }
+  bool is_valid() const { return quick_.is_valid(); }
 
  private:
   static Ray<Real> to_real(const Ray<double>& ray) {
@@ -57,9 +57,8 @@ class SolidRay {
   }
 
   QuickRay<level> quick_;
-  Aabb extent_;
+  const Aabb* extent_;
   mutable std::optional<PaddedRay<Real>> padded_;
-  bool is_valid_;
 };
 
 /// Evaluates one solid for one ray. Refers to both.

@@ -75,7 +75,7 @@ RootList face_roots(const S& surface, const LocalRay<level>& ray) {
   }
 }
 
-/// A ray as all primitives of a solid see it, made ready for a level.
+/// A ray as all primitives of a solid see it, made ready for a level. Refers to it.
 ///   Q1  Where `is_moderate`, the ray suits SizedDouble, and directions are 0 or not too small to be divided by.
 template <Level level>
 class QuickRay {
@@ -83,24 +83,25 @@ class QuickRay {
   using Real = std::conditional_t<level == Level::fast, float, double>;
   using Number = std::conditional_t<level == Level::fast, float, SizedDouble>;
 
-  explicit QuickRay(const Ray<double>& ray) : ray_(ray), inverse_(Real(1) / Vec3<Real>(ray.direction)) {
+  explicit QuickRay(const Ray<double>& ray) : ray_(&ray), inverse_(Real(1) / Vec3<Real>(ray.direction)) {
     constexpr double largest = SizedDouble::largest;
-    is_moderate_ = max_norm(ray.origin) <= largest && max_norm(ray.direction) <= largest;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double size = std::fabs(ray.direction[axis]);
-      is_moderate_ &= (size == 0) | (size * largest >= 1);
-      has_zero_ |= size == 0;
-    }
+    const Vec3d &o = ray.origin, &d = ray.direction;
+    const Vec3d size = glm::abs(d);
+    is_moderate_ = (std::fabs(o.x) <= largest) & (std::fabs(o.y) <= largest) & (std::fabs(o.z) <= largest) &
+                   is_divisor(size.x) & is_divisor(size.y) & is_divisor(size.z);
+    has_zero_ = (size.x == 0) | (size.y == 0) | (size.z == 0);
+    is_valid_ = is_moderate_ ? (size.x + size.y + size.z > 0) & (ray.t_min <= ray.t_max) : sightline::is_valid(ray);
   }
 
-  const Ray<double>& ray() const { return ray_; }
+  const Ray<double>& ray() const { return *ray_; }
   bool is_moderate() const { return is_moderate_; }
   bool has_zero() const { return has_zero_; }
+  bool is_valid() const { return is_valid_; }
 
   /// Where a plane across an axis is passed, if the direction is not 0 there. In double off by three roundings:
   /// passing_share of it, and less than passing_step where that underflows.
   Real passing(int axis, double position) const {
-    return (static_cast<Real>(position) - static_cast<Real>(ray_.origin[axis])) * inverse_[axis];
+    return (static_cast<Real>(position) - static_cast<Real>(ray_->origin[axis])) * inverse_[axis];
   }
   static double radius_of(double t) {
     return level == Level::fast ? 0 : passing_share * std::fabs(t) + passing_step;
@@ -108,9 +109,14 @@ class QuickRay {
   static constexpr double passing_share = 0x1p-51, passing_step = 0x1p-900;
 
  private:
-  Ray<double> ray_;
+  static bool is_divisor(double size) {
+    constexpr double largest = SizedDouble::largest;
+    return ((size == 0) | (size >= 1 / largest)) & (size <= largest);
+  }
+
+  const Ray<double>* ray_;
   Vec3<Real> inverse_;
-  bool is_moderate_, has_zero_ = false;
+  bool is_moderate_, has_zero_, is_valid_;
 };
 
 namespace detail {

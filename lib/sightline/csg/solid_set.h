@@ -6,6 +6,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,18 +28,20 @@ class SolidSet {
 
   class PreparedRay {
    public:
-    PreparedRay(const Ray<double>& ray, const Aabb& extent) : ray_(ray, extent) {}
+    PreparedRay(const Ray<double>& ray, const Aabb& extent) : wide_(ray), extent_(&extent) {}
 
     template <class Report>
     void for_each_crossing(const Solid& solid, Report&& report) const {
       NoSolidProbe probe;
-      SolidEvaluator<level> evaluator(solid, ray_, probe);
+      const SolidRay<level> ray(wide_, *extent_);
+      SolidEvaluator<level> evaluator(solid, ray, probe);
       const SpanList list = evaluator.spans();
       for (const Boundary& boundary : evaluator[list]) report(crossing_of(boundary));
     }
 
    private:
-    SolidRay<level> ray_;
+    Ray<double> wide_;
+    const Aabb* extent_;
   };
 
   SolidSet() = default;
@@ -87,16 +90,20 @@ class SolidLeaves {
   template <class T>
   class PreparedRay {
    public:
-    PreparedRay(const Ray<T>& ray, const Aabb& extent) : ray_(ray), extent_(extent) {}
+    PreparedRay(const Ray<T>& ray, const Aabb& extent) : ray_(ray), wide_(wide(ray)), extent_(extent) {}
 
     const Ray<T>& ray() const { return ray_; }
     const SolidRay<level>& ready() {
-      if (!ready_) ready_.emplace(to_double(ray_), extent_);
+      if (!ready_) ready_.emplace(wide_, extent_);
       return *ready_;
     }
 
    private:
+    static const Ray<double>& wide(const Ray<double>& ray) { return ray; }
+    static Ray<double> wide(const Ray<float>& ray) { return to_double(ray); }
+
     const Ray<T>& ray_;
+    std::conditional_t<std::is_same_v<T, double>, const Ray<double>&, Ray<double>> wide_;
     const Aabb& extent_;
     std::optional<SolidRay<level>> ready_;
   };
