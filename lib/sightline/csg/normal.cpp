@@ -51,6 +51,8 @@ Vec3d gradient_at(const SolidShape& shape, std::uint32_t face, const Vec3d& p) {
 /// Of unit length, or the other vector's direction where there is none.
 Vec3d unit(const Vec3d& v, const Vec3d& otherwise) {
   const double size = max_norm(v);
+  if (size > 0x1p-400 && size < 0x1p+400) [[likely]]
+    return v * (1 / std::sqrt(glm::dot(v, v)));
   if (!(size > 0) || !std::isfinite(size)) return glm::normalize(otherwise / max_norm(otherwise));
   return glm::normalize(v / size);
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// Where a ray is inside the commonest primitives, where that is clear at once.
 
+#include <array>
 #include <cmath>
 #include <variant>
 
@@ -38,14 +39,29 @@ class QuickSpans {
 
   [[gnu::flatten, gnu::noinline]] QuickSpan operator()(const solid::Box& box) const {
     if (frame_ || ray_.has_zero()) return {};
-    End enter, leave;
-    pass(box, 0, enter, leave);
-    for (int axis = 1; axis < 3; ++axis) {
-      End next_enter, next_leave;
-      pass(box, axis, next_enter, next_leave);
-      if (!keep_later(enter, next_enter) || !keep_earlier(leave, next_leave)) return {};
+    const Vec3d& direction = ray_.ray().direction;
+    std::array<double, 3> in, out;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double a = ray_.passing(axis, box.lo[axis]), b = ray_.passing(axis, box.hi[axis]);
+      in[static_cast<std::size_t>(axis)] = a < b ? a : b;
+      out[static_cast<std::size_t>(axis)] = a < b ? b : a;
     }
-    return between(enter, leave);
+    std::size_t last_in = in[1] > in[0], first_out = out[1] < out[0];
+    last_in = in[2] > in[last_in] ? 2 : last_in;
+    first_out = out[2] < out[first_out] ? 2 : first_out;
+    const double enter = in[last_in], leave = out[first_out];
+    if (!are_apart(enter, leave)) return {};
+    if (enter > leave) return {Kind::empty, {}, {}};
+    // Each of the others, of which the one itself is not one.
+    const std::size_t i = last_in == 0, j = 2 - (last_in == 2), k = first_out == 0, l = 2 - (first_out == 2);
+    if (!are_apart(enter, in[i]) || !are_apart(enter, in[j]) || !are_apart(leave, out[k]) || !are_apart(leave, out[l]))
+      return {};
+    const auto face = [&](std::size_t axis, bool is_in) {
+      return static_cast<std::uint32_t>(2 * axis + ((direction[static_cast<int>(axis)] > 0) != is_in));
+    };
+    return {Kind::span,
+            {enter, ray_.radius_of(enter), face(last_in, true), 0},
+            {leave, ray_.radius_of(leave), face(first_out, false), 0}};
   }
 
   [[gnu::flatten, gnu::noinline]] QuickSpan operator()(const solid::Cylinder& cylinder) const {
@@ -73,15 +89,12 @@ class QuickSpans {
     return {Kind::span, {list.roots[0].t, list.roots[0].radius, 0, 0}, {list.roots[1].t, list.roots[1].radius, 0, 1}};
   }
 
-  void pass(const solid::Box& box, int axis, End& enter, End& leave) const {
-    const bool goes_up = ray_.ray().direction[axis] > 0;
-    const double in = ray_.passing(axis, goes_up ? box.lo[axis] : box.hi[axis]);
-    const double out = ray_.passing(axis, goes_up ? box.hi[axis] : box.lo[axis]);
-    const auto face = static_cast<std::uint32_t>(2 * axis);
-    enter = {in, ray_.radius_of(in), face + !goes_up, 0};
-    leave = {out, ray_.radius_of(out), face + goes_up, 0};
+  /// Of where planes across axes are passed.
+  static bool are_apart(double a, double b) {
+    if (level == Level::fast) return a != b;
+    constexpr double share = QuickRay<level>::passing_share * (1 + 0x1p-40);
+    return std::fabs(a - b) > (std::fabs(a) + std::fabs(b)) * share + 4 * QuickRay<level>::passing_step;
   }
-
   /// False where it is not clear which.
   static bool are_apart(const End& a, const End& b) {
     if (level == Level::fast) return a.t != b.t;
