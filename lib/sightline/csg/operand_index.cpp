@@ -28,10 +28,18 @@ class Boxes final : public Primitives {
   std::span<const Aabb> boxes_;
 };
 
+/// Testing an operand takes longer than a node.
+template <class Structure>
+typename Structure::Options small_leaves() {
+  typename Structure::Options options;
+  if constexpr (requires { options.max_leaf_size; }) options.max_leaf_size = 1;
+  return options;
+}
+
 template <class Structure>
 class IndexOf final : public OperandIndex {
  public:
-  explicit IndexOf(std::span<const Aabb> boxes) : structure_(Structure::build(Boxes(boxes), {})) {}
+  explicit IndexOf(std::span<const Aabb> boxes) : structure_(Structure::build(Boxes(boxes), small_leaves<Structure>())) {}
 
   void find(const Ray<double>& ray, OperandList& found) const override {
     NoProbe probe;
