@@ -28,27 +28,27 @@ class PainterOf final : public Painter {
   explicit PainterOf(SolidSet<level> solids)
       : solids_(std::move(solids)), structure_(Structure::build(PrimitivesOf(solids_), small_leaves<Structure>())) {}
 
-  void paint(const SolidScene& scene, Picture& picture) const override {
+  void paint(const SolidScene& scene, Picture& picture, int row_step) const override {
     NoSolidProbe probe;
     std::uint64_t rays = 0;
-    paint(scene, picture, probe, rays);
+    paint(scene, picture, row_step, probe, rays);
   }
   PaintStats count(const SolidScene& scene, Picture& picture) const override {
     PaintStats stats;
-    paint(scene, picture, stats.solids, stats.rays);
+    paint(scene, picture, 1, stats.solids, stats.rays);
     return stats;
   }
 
  private:
   template <class Probe>
-  void paint(const SolidScene& scene, Picture& picture, Probe& probe, std::uint64_t& rays) const {
+  void paint(const SolidScene& scene, Picture& picture, int row_step, Probe& probe, std::uint64_t& rays) const {
     const SolidLeaves<level, Probe> leaves(solids_, structure_.leaf_order(), probe);
     const Camera& camera = scene.camera;
-    float* shade = picture.shades.data();
     Ray<double> ray;
     ray.origin = camera.eye;
     const Vec3d column = camera.right / double(camera.width);
-    for (int y = 0; y < camera.height; ++y) {
+    for (int y = 0; y < camera.height; y += row_step) {
+      float* shade = picture.shades.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width);
       const Vec3d row = camera.forward + (camera.height - 2 * y - 1) / double(camera.height) * camera.up;
       for (int x = 0; x < camera.width; ++x, ++shade, ++rays) {
         ray.direction = row + double(2 * x + 1 - camera.width) * column;

@@ -25,8 +25,9 @@ class Painter {
  public:
   virtual ~Painter() = default;
 
-  /// For each pixel the closest hit of a ray of doubles, its normal, and whether the light reaches it.
-  virtual void paint(const SolidScene& scene, Picture& picture) const = 0;
+  /// For each pixel the closest hit of a ray of doubles, its normal, and whether the light reaches it. Of the rows
+  /// every `row_step`-th.
+  virtual void paint(const SolidScene& scene, Picture& picture, int row_step) const = 0;
   virtual PaintStats count(const SolidScene& scene, Picture& picture) const = 0;
 };
 
