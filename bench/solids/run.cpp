@@ -186,8 +186,7 @@ std::vector<SolidAsking> askings_of(const SolidPlan& plan) {
 SolidReport run_solids(const SolidPlan& plan, Progress& progress,
                        const std::function<void(const SolidReport&, const SolidSceneReport&)>& see) {
   SolidReport report{this_machine(), plan, {}, {}};
-  std::optional<Povray> povray;
-  if (plan.has_povray) povray = Povray::find();
+  std::optional<Povray> povray = plan.has_povray ? Povray::find() : std::nullopt;
   if (povray) report.povray_version = povray->version();
   for (const SolidScene& scene : solid_scenes(plan.width, plan.height)) {
     const auto& names = plan.scenes;
