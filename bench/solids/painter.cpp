@@ -99,20 +99,20 @@ std::unique_ptr<Painter> painter_of(std::vector<std::shared_ptr<const Solid>> so
 }  // namespace
 
 std::unique_ptr<Painter> make_painter(const SolidScene& scene, Level level, const SolidOptions& options,
-                                      std::string_view accelerator) {
+                                      std::string_view over_solids, std::string_view over_operands) {
   std::vector<std::shared_ptr<const Solid>> solids;
-  for (const SolidTree& tree : scene.solids) solids.push_back(std::make_shared<Solid>(tree, options, accelerator));
+  for (const SolidTree& tree : scene.solids) solids.push_back(std::make_shared<Solid>(tree, options, over_operands));
   switch (level) {
     case Level::fast:
-      return painter_of<Level::fast>(std::move(solids), accelerator);
+      return painter_of<Level::fast>(std::move(solids), over_solids);
     case Level::watertight:
-      return painter_of<Level::watertight>(std::move(solids), accelerator);
+      return painter_of<Level::watertight>(std::move(solids), over_solids);
     case Level::precise:
-      return painter_of<Level::precise>(std::move(solids), accelerator);
+      return painter_of<Level::precise>(std::move(solids), over_solids);
     case Level::exact:
       break;
   }
-  return painter_of<Level::exact>(std::move(solids), accelerator);
+  return painter_of<Level::exact>(std::move(solids), over_solids);
 }
 
 }  // namespace sightline::bench

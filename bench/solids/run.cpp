@@ -58,11 +58,11 @@ class Stage {
     report_.description = scene.description;
     report_.solids = scene.solids.size();
     report_.pixels = static_cast<std::size_t>(plan.width) * static_cast<std::size_t>(plan.height);
-    report_.accelerator =
-        !plan.accelerator.empty() ? plan.accelerator : scene.solids.size() == 1 ? "brute-force" : "box-tree";
+    const std::string given = plan.accelerator.empty() ? "box-tree" : plan.accelerator;
+    report_.accelerator = plan.accelerator.empty() && scene.solids.size() == 1 ? "brute-force" : given;
     for (const SolidAsking& asking : askings_of(plan)) {
       contenders_.push_back({asking,
-                             make_painter(scene, asking.level, asking.options, report_.accelerator),
+                             make_painter(scene, asking.level, asking.options, report_.accelerator, given),
                              Picture(plan.width, plan.height), 0});
     }
   }
@@ -81,7 +81,7 @@ class Stage {
     }
     progress_.say(scene_.name, "verifying by exact lists of everything");
     Picture reference(plan_.width, plan_.height);
-    make_painter(scene_, Level::exact, without_switches(), "brute-force")
+    make_painter(scene_, Level::exact, without_switches(), "brute-force", "brute-force")
         ->paint(scene_, reference, plan_.reference_step);
     for (const Contender& contender : contenders_) {
       require_near(contender, reference, plan_.reference_step, "brute force without any switch");
