@@ -62,6 +62,10 @@ Vec3d unit(const Vec3d& v, const Vec3d& otherwise) {
 Vec3d Solid::normal(const Boundary& boundary, const Ray<double>& ray) const {
   const Primitive& primitive = primitives_[boundary.primitive];
   const Frame* frame = frame_of(primitive);
+  if (const auto* box = std::get_if<solid::Box>(&primitive.shape); box && !frame) {
+    const Vec3d normal = Gradient{Vec3d(0)}(solid::face_of(*box, boundary.face));
+    return boundary.is_flipped ? -normal : normal;
+  }
   const Vec3d world = ray.at(boundary.t);
   Vec3d local = world;
   for (int i = 0; i < 3 && frame; ++i) {
