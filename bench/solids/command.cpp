@@ -47,7 +47,8 @@ std::string option_list() {
 std::vector<Level> parse_levels(const std::vector<std::string>& names) {
   std::vector<Level> levels;
   for (const std::string& name : names) {
-    const auto info = std::find_if(level_infos.begin(), level_infos.end(), [&](const auto& i) { return i.name == name; });
+    const auto info =
+        std::find_if(level_infos.begin(), level_infos.end(), [&](const auto& i) { return i.name == name; });
     if (info == level_infos.end())
       throw UsageError("unknown level '" + name + "'; expected some of fast, watertight, precise, exact");
     if (std::find(levels.begin(), levels.end(), info->level) != levels.end())
@@ -96,9 +97,10 @@ std::string parse(int argc, const char* const* argv, SolidPlan& plan) {
   app.add_option("--accel", plan.accelerator, "Structure over solids and operands (none for one solid; box-tree)")
       ->type_name("NAME");
   app.add_option("--peer", peer, "povray, or none (povray, where it is installed)")->type_name("NAME");
-  auto* const rounds = app.add_option("--rounds", plan.rounds, "Rounds of painting everything once, 1 to 1000 (9; quick 3)")
-                           ->type_name("N")
-                           ->check(CLI::Range(1, 1000));
+  auto* const rounds =
+      app.add_option("--rounds", plan.rounds, "Rounds of painting everything once, 1 to 1000 (9; quick 3)")
+          ->type_name("N")
+          ->check(CLI::Range(1, 1000));
   app.add_flag("--quick", is_quick, "Pictures of a quarter of the size, fewer rounds");
   app.add_option("--json", plan.json, "Writes everything that was measured into FILE")->type_name("FILE");
   app.add_option("--self-check", plan.spoiled, "Makes one pixel of line NAME wrong: the run has to refuse")
@@ -153,12 +155,11 @@ int run_solids_command(int argc, const char* const* argv) {
   if (!plan.json.empty()) OutputFile{plan.json};  // refuses now what could not be written at the end
   Progress progress;
   bool is_first = true;
-  const SolidReport report =
-      run_solids(plan, progress, [&](const SolidReport& so_far, const SolidSceneReport& scene) {
-        if (is_first) print(head_text(so_far));
-        is_first = false;
-        print('\n' + table_text(so_far, scene));
-      });
+  const SolidReport report = run_solids(plan, progress, [&](const SolidReport& so_far, const SolidSceneReport& scene) {
+    if (is_first) print(head_text(so_far));
+    is_first = false;
+    print('\n' + table_text(so_far, scene));
+  });
   const std::string growth = growth_text(report);
   if (!growth.empty()) print('\n' + growth);
   if (!plan.json.empty()) write_text(plan.json, json_text(report));

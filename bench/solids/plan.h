@@ -16,7 +16,7 @@ struct SolidAsking {
 };
 
 struct SolidPlan {
-  std::vector<std::string> scenes;   ///< Names of solid_scenes; all where empty.
+  std::vector<std::string> scenes;  ///< Names of solid_scenes; all where empty.
   std::vector<Level> levels{Level::watertight};
   SolidOptions options;
   bool is_ablation = false;  ///< Beside each level also every switch off, and all, at the first level.

@@ -123,8 +123,9 @@ Picture Povray::paint(const SolidScene& scene) {
   return picture_of(text_of(picture));
 }
 
-double Povray::trace_seconds(const SolidScene& scene) {
-  return number_in(run(scene, "-F"), "Trace Time", "thread(s) with ");
+Povray::TraceTime Povray::trace(const SolidScene& scene) {
+  const std::string text = run(scene, "-F");
+  return {number_in(text, "Trace Time", "thread(s) with "), number_in(text, "Trace Time", "(")};
 }
 
 }  // namespace sightline::bench

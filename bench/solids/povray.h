@@ -25,9 +25,13 @@ class Povray {
   /// \throws std::runtime_error with what POV-Ray says where it fails.
   Picture paint(const SolidScene& scene);
 
-  /// Seconds of the processor that POV-Ray says its one thread has traced for, a multiple of 0.001; no picture is
-  /// written.
-  double trace_seconds(const SolidScene& scene);
+  /// What POV-Ray says of its tracing: seconds of the processor that its one thread took, and between begin and end on
+  /// the wall ("Trace Time"). Both are multiples of 0.001.
+  struct TraceTime {
+    double processor, elapsed;
+  };
+  /// No picture is written.
+  TraceTime trace(const SolidScene& scene);
 
  private:
   Povray() = default;

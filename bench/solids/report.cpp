@@ -16,13 +16,20 @@ Json json_of(const std::optional<Estimate>& value) {
   return {{"median", value->median}, {"low", value->low}, {"high", value->high}, {"confidence", value->confidence}};
 }
 
+Json rounds_json(const std::vector<double>& rounds) {
+  Json list = Json::array();
+  for (const double seconds : rounds) list.push_back(std::isnan(seconds) ? Json(nullptr) : Json(seconds));
+  return list;
+}
+
 Json json_of(const SolidRow& row) {
-  Json rounds = Json::array();
-  for (const double seconds : row.round_seconds) rounds.push_back(std::isnan(seconds) ? Json(nullptr) : Json(seconds));
   Json json{{"name", row.name},
             {"seconds", json_of(row.seconds)},
+            {"elapsed_seconds", json_of(row.elapsed)},
             {"povray_time_over_this", json_of(row.ratio)},
-            {"round_seconds", rounds}};
+            {"povray_elapsed_over_this", json_of(row.elapsed_ratio)},
+            {"round_seconds", rounds_json(row.round_seconds)},
+            {"round_elapsed_seconds", rounds_json(row.round_elapsed)}};
   if (!row.stats) return json;
   const PaintStats& stats = *row.stats;
   json["rays"] = stats.rays;
@@ -69,11 +76,13 @@ std::string head_text(const SolidReport& report) {
   if (report.povray_version.empty()) {
     text += report.plan.has_povray ? "Without POV-Ray, which 'apt-get install povray' gets.\n" : "";
   } else {
-    text += "POV-Ray: " + std::string(povray_options) + " -F, processor seconds of its tracing thread as it tells them.\n";
+    text +=
+        "POV-Ray: " + std::string(povray_options) + " -F; the times of its tracing thread are those that it tells.\n";
   }
-  return text + "\nns/pixel  one thread's processor time: a ray, its normal, a shadow ray, shading\n"
-                "speed     POV-Ray's time over this one's, paired by round\n"
-                "per ray   nodes evaluated and pruned, primitives solved, transitions looked at\n";
+  return text +
+         "\nns/pixel  one thread's processor time: a ray, its normal, a shadow ray, shading\n"
+         "speed     POV-Ray's time over this one's, paired by round: of the processor, and on the wall\n"
+         "per ray   nodes evaluated and pruned, primitives solved, transitions looked at\n";
 }
 
 std::string table_text(const SolidReport& report, const SolidSceneReport& scene) {
@@ -84,6 +93,7 @@ std::string table_text(const SolidReport& report, const SolidSceneReport& scene)
   if (scene.from_povray) {
     table.add_column("speed", "xPOV-Ray");
     table.add_column("speed", "interval");
+    table.add_column("speed", "on the wall");
   }
   for (const char* name : {"nodes", "pruned", "primitives", "transitions"}) table.add_column("per ray", name);
   const double nanoseconds = 1'000'000'000 / static_cast<double>(scene.pixels);
@@ -93,6 +103,7 @@ std::string table_text(const SolidReport& report, const SolidSceneReport& scene)
     if (scene.from_povray) {
       cells.push_back(row.ratio ? measured_text(*row.ratio) + 'x' : "");
       cells.push_back(row.ratio ? interval_text(*row.ratio, 3) : "");
+      cells.push_back(row.elapsed_ratio ? measured_text(*row.elapsed_ratio, 2) + 'x' : "");
     }
     if (row.stats) {
       const SolidStats& solids = row.stats->solids;
@@ -105,8 +116,8 @@ std::string table_text(const SolidReport& report, const SolidSceneReport& scene)
   const double rays = static_cast<double>(scene.rows.front().stats->rays) / static_cast<double>(scene.pixels);
   std::string text = scene.name + ": " + scene.description + ", " + std::to_string(report.plan.width) + " x " +
                      std::to_string(report.plan.height) + " pixels, " + number_text(100 * scene.hit_share, 2) +
-                     " % covered, " + number_text(rays, 3) + " rays a pixel, " + plural(scene.solids, "solid") + " in " +
-                     scene.accelerator + "\n\n" + table.text() + '\n';
+                     " % covered, " + number_text(rays, 3) + " rays a pixel, " + plural(scene.solids, "solid") +
+                     " in " + scene.accelerator + "\n\n" + table.text() + '\n';
   if (scene.from_povray) {
     text += "Pixels that POV-Ray sees otherwise: " + count_text(scene.from_povray->coverage) + " of coverage, " +
             count_text(scene.from_povray->shade) + " by more than 1/256 of shade.\n";

@@ -1,6 +1,7 @@
 #include "bench/solids/run.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <functional>
@@ -21,6 +22,13 @@ double processor_seconds() {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1'000'000'000;
 }
 
+/// Of POV-Ray's over one's own, where both took part.
+std::optional<Estimate> ratio_of(const std::vector<double>& povray, const std::vector<double>& own) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < own.size(); ++i) ratios.push_back(povray[i] / own[i]);
+  return estimate_of_present(ratios);
+}
+
 SolidOptions without_switches() {
   SolidOptions options;
   for (const auto& field : SolidOptions::fields()) {
@@ -33,7 +41,8 @@ Difference difference_of(const Picture& a, const Picture& b, int row_step) {
   Difference difference;
   for (int y = 0; y < a.height; y += row_step) {
     for (int x = 0; x < a.width; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x);
+      const std::size_t i =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x);
       const bool is_hit = a.shades[i] > 0;
       difference.coverage += is_hit != (b.shades[i] > 0);
       difference.shade += is_hit && b.shades[i] > 0 && std::fabs(a.shades[i] - b.shades[i]) > shade_limit;
@@ -61,8 +70,7 @@ class Stage {
     const std::string given = plan.accelerator.empty() ? "box-tree" : plan.accelerator;
     report_.accelerator = plan.accelerator.empty() && scene.solids.size() == 1 ? "brute-force" : given;
     for (const SolidAsking& asking : askings_of(plan)) {
-      contenders_.push_back({asking,
-                             make_painter(scene, asking.level, asking.options, report_.accelerator, given),
+      contenders_.push_back({asking, make_painter(scene, asking.level, asking.options, report_.accelerator, given),
                              Picture(plan.width, plan.height), 0});
     }
   }
@@ -77,7 +85,8 @@ class Stage {
       contender.pass_seconds = processor_seconds() - begin;
       if (contender.asking.name == plan_.spoiled) spoil(contender.picture);
       Picture counted(plan_.width, plan_.height);
-      report_.rows.push_back({contender.asking.name, contender.painter->count(scene_, counted), {}, {}, {}});
+      report_.rows.push_back(
+          {contender.asking.name, contender.painter->count(scene_, counted), {}, {}, {}, {}, {}, {}});
     }
     progress_.say(scene_.name, "verifying by exact lists of everything");
     Picture reference(plan_.width, plan_.height);
@@ -95,32 +104,35 @@ class Stage {
 
   void measure() {
     const auto rounds = static_cast<std::size_t>(plan_.rounds);
-    if (povray_) report_.rows.push_back({std::string(povray_name), std::nullopt, {}, {}, {}});
-    for (SolidRow& row : report_.rows) row.round_seconds.assign(rounds, nan);
+    if (povray_) report_.rows.push_back({std::string(povray_name), std::nullopt, {}, {}, {}, {}, {}, {}});
+    for (SolidRow& row : report_.rows) row.round_seconds.assign(rounds, nan), row.round_elapsed.assign(rounds, nan);
     const std::size_t count = report_.rows.size();
     for (std::size_t round = 0; round < rounds; ++round) {
       progress_.say(scene_.name, "round " + std::to_string(round + 1) + " of " + std::to_string(rounds));
       for (std::size_t k = 0; k < count; ++k) {
         const std::size_t row = (k + round) % count;
         if (row == contenders_.size()) {
-          report_.rows[row].round_seconds[round] = povray_->trace_seconds(scene_);
+          const Povray::TraceTime time = povray_->trace(scene_);
+          report_.rows[row].round_seconds[round] = time.processor;
+          report_.rows[row].round_elapsed[round] = time.elapsed;
           continue;
         }
         Contender& contender = contenders_[row];
         if (static_cast<double>(round) * contender.pass_seconds > plan_.row_seconds) continue;
+        const auto begin_elapsed = std::chrono::steady_clock::now();
         const double begin = processor_seconds();
         contender.painter->paint(scene_, contender.picture, 1);
         report_.rows[row].round_seconds[round] = processor_seconds() - begin;
+        report_.rows[row].round_elapsed[round] =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_elapsed).count();
       }
     }
     for (SolidRow& row : report_.rows) {
       row.seconds = estimate_of_present(row.round_seconds);
+      row.elapsed = estimate_of_present(row.round_elapsed);
       if (!povray_ || &row == &report_.rows.back()) continue;
-      std::vector<double> ratios;
-      for (std::size_t i = 0; i < rounds; ++i) {
-        ratios.push_back(report_.rows.back().round_seconds[i] / row.round_seconds[i]);
-      }
-      row.ratio = estimate_of_present(ratios);
+      row.ratio = ratio_of(report_.rows.back().round_seconds, row.round_seconds);
+      row.elapsed_ratio = ratio_of(report_.rows.back().round_elapsed, row.round_elapsed);
     }
   }
 
@@ -135,16 +147,17 @@ class Stage {
     }
   }
 
-  /// Levels above fast decide every hit, and so the coverage, alike. What is farther from the light than rounding may be
-  /// shadowed or not; so shades may differ in one of a hundred thousand pixels. At level fast a thousandth may differ.
+  /// Levels above fast decide every hit, and so the coverage, alike. What is farther from the light than rounding may
+  /// be shadowed or not; so shades may differ in one of a hundred thousand pixels. At level fast a thousandth may
+  /// differ.
   void require_near(const Contender& own, const Picture& other, int row_step, const std::string& name) const {
     const Difference difference = difference_of(own.picture, other, row_step);
     const std::size_t some = report_.pixels / 1000, few = report_.pixels / 100'000;
     const bool is_fast = own.asking.level == Level::fast || contenders_.front().asking.level == Level::fast;
     if (difference.coverage <= (is_fast ? some : 0) && difference.shade <= (is_fast ? some : few)) return;
-    throw WrongHits(own.asking.name + " is wrong, so no times are shown: " + scene_.name + ": expected the picture of " +
-                    name + ", found " + std::to_string(difference.coverage) + " pixels with another coverage and " +
-                    std::to_string(difference.shade) + " with another shade");
+    throw WrongHits(own.asking.name + " is wrong, so no times are shown: " + scene_.name +
+                    ": expected the picture of " + name + ", found " + std::to_string(difference.coverage) +
+                    " pixels with another coverage and " + std::to_string(difference.shade) + " with another shade");
   }
 
   void verify_povray() {
@@ -152,9 +165,10 @@ class Stage {
     const Difference difference = difference_of(contenders_.front().picture, povray_->paint(scene_), 1);
     report_.from_povray = difference;
     if (difference.coverage + difference.shade <= report_.pixels / 500) return;
-    throw WrongHits("POV-Ray sees something else, so no times are shown: " + scene_.name + ": expected the picture of " +
-                    contenders_.front().asking.name + ", found " + std::to_string(difference.coverage) +
-                    " pixels with another coverage and " + std::to_string(difference.shade) + " with another shade");
+    throw WrongHits("POV-Ray sees something else, so no times are shown: " + scene_.name +
+                    ": expected the picture of " + contenders_.front().asking.name + ", found " +
+                    std::to_string(difference.coverage) + " pixels with another coverage and " +
+                    std::to_string(difference.shade) + " with another shade");
   }
 
   const SolidPlan& plan_;

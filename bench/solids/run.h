@@ -20,10 +20,12 @@ inline constexpr std::string_view povray_name = "POV-Ray";
 /// A line of a scene's table.
 struct SolidRow {
   std::string name;
-  std::optional<PaintStats> stats;    ///< Counted outside the timing; not of POV-Ray.
-  std::vector<double> round_seconds;  ///< One picture in each round; NaN where it did not take part.
-  std::optional<Estimate> seconds;
-  std::optional<Estimate> ratio;  ///< POV-Ray's time over this one's, in the same round.
+  std::optional<PaintStats> stats;  ///< Counted outside the timing; not of POV-Ray.
+  /// One picture in each round, of the processor and on the wall; NaN where it did not take part.
+  std::vector<double> round_seconds, round_elapsed;
+  std::optional<Estimate> seconds, elapsed;
+  /// POV-Ray's times over this one's, in the same round.
+  std::optional<Estimate> ratio, elapsed_ratio;
 };
 
 /// How far two pictures are apart.

@@ -39,8 +39,8 @@ SolidTree cheese(int count) {
 SolidScene scene_of(std::string name, std::string description, std::vector<SolidTree> solids, int width, int height) {
   Aabb bounds;
   for (const SolidTree& tree : solids) bounds.extend(Solid(tree).bounds());
-  SolidScene scene{std::move(name), std::move(description), std::move(solids), Camera::facing(bounds, width, height),
-                   {}};
+  SolidScene scene{
+      std::move(name), std::move(description), std::move(solids), Camera::facing(bounds, width, height), {}};
   scene.light = scene.camera.eye + Vec3d(-2, 4, 1);
   return scene;
 }
@@ -57,8 +57,7 @@ SolidTree widget(const Vec3d& center, double half_side) {
 
 std::vector<SolidScene> solid_scenes(int width, int height) {
   std::vector<SolidScene> scenes;
-  scenes.push_back(
-      scene_of("widget", "box & sphere - three cylinders", {widget(Vec3d(0), 1)}, width, height));
+  scenes.push_back(scene_of("widget", "box & sphere - three cylinders", {widget(Vec3d(0), 1)}, width, height));
   std::vector<SolidTree> widgets;
   for (int i = 0; i < 64; ++i) widgets.push_back(widget(Vec3d(i % 4, i / 4 % 4, i / 16) * 0.625 - 0.9375, 0.25));
   scenes.push_back(scene_of("widgets", "64 of them, each a solid", std::move(widgets), width, height));

@@ -39,8 +39,7 @@ class SolidRay {
  public:
   using Real = typename QuickRay<level>::Real;
 
-  SolidRay(const Ray<double>& ray, const Aabb& extent)
-      : quick_(ray), extent_(&extent) {}
+  SolidRay(const Ray<double>& ray, const Aabb& extent) : quick_(ray), extent_(&extent) {}
 
   const Ray<double>& ray() const { return quick_.ray(); }
   /// Made when it is needed first: many solids are answered without.
@@ -73,7 +72,11 @@ class SolidEvaluator {
   using Window = Interval<double>;
 
   SolidEvaluator(const Solid& solid, const Ray<double>& ray, Probe& probe)
-      : solid_(solid), own_ray_(SolidRay<level>(ray, solid.extent())), ray_(*own_ray_), order_(solid, ray), probe_(probe) {}
+      : solid_(solid),
+        own_ray_(SolidRay<level>(ray, solid.extent())),
+        ray_(*own_ray_),
+        order_(solid, ray),
+        probe_(probe) {}
   /// The ray is ready for all that the solid extends to.
   SolidEvaluator(const Solid& solid, const SolidRay<level>& ray, Probe& probe)
       : solid_(solid), ray_(ray), order_(solid, ray.ray()), probe_(probe) {}

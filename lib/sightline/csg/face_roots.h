@@ -103,9 +103,7 @@ class QuickRay {
   Real passing(int axis, double position) const {
     return (static_cast<Real>(position) - static_cast<Real>(ray_->origin[axis])) * inverse_[axis];
   }
-  static double radius_of(double t) {
-    return level == Level::fast ? 0 : passing_share * std::fabs(t) + passing_step;
-  }
+  static double radius_of(double t) { return level == Level::fast ? 0 : passing_share * std::fabs(t) + passing_step; }
   static constexpr double passing_share = 0x1p-51, passing_step = 0x1p-900;
 
  private:

@@ -39,7 +39,8 @@ typename Structure::Options small_leaves() {
 template <class Structure>
 class IndexOf final : public OperandIndex {
  public:
-  explicit IndexOf(std::span<const Aabb> boxes) : structure_(Structure::build(Boxes(boxes), small_leaves<Structure>())) {}
+  explicit IndexOf(std::span<const Aabb> boxes)
+      : structure_(Structure::build(Boxes(boxes), small_leaves<Structure>())) {}
 
   void find(const Ray<double>& ray, OperandList& found) const override {
     NoProbe probe;

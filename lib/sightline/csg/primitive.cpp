@@ -40,7 +40,9 @@ bool are_moderate(std::initializer_list<double> numbers) {
 bool is_moderate(const Vec3d& v) { return are_moderate({v.x, v.y, v.z}); }
 
 struct IsModerate {
-  bool operator()(const solid::HalfSpace& half) const { return is_moderate(half.normal) && are_moderate({half.offset}); }
+  bool operator()(const solid::HalfSpace& half) const {
+    return is_moderate(half.normal) && are_moderate({half.offset});
+  }
   bool operator()(const solid::Sphere& sphere) const {
     return is_moderate(sphere.center) && are_moderate({sphere.radius});
   }

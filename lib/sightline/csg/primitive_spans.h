@@ -146,8 +146,7 @@ class PrimitiveSpans {
   template <class Shape>
   void narrow_by_caps(Convex& span, const Shape& shape) const {
     for (std::uint32_t face = 1; face <= 2 && !span.is_empty; ++face) {
-      std::visit([&](const auto& plane) { narrow(span, face, roots(plane)); },
-                 plane_of(cap_of(shape, face == 2)));
+      std::visit([&](const auto& plane) { narrow(span, face, roots(plane)); }, plane_of(cap_of(shape, face == 2)));
     }
   }
 
@@ -185,7 +184,7 @@ class PrimitiveSpans {
 /// The spans of a solid's primitive along the whole line of a ray, on top of the stack.
 template <Level level>
 [[gnu::always_inline]] inline SpanList primitive_spans(const Solid& solid, std::uint32_t id, const QuickRay<level>& ray,
-                         const BoundaryOrder<level>& order, SpanStack& stack) {
+                                                       const BoundaryOrder<level>& order, SpanStack& stack) {
   const Primitive& primitive = solid.primitives()[id];
   const detail::QuickSpan quick = quick_span(primitive, solid.frame_of(primitive), ray);
   SpanList list{stack.size(), 0, false};

@@ -242,9 +242,8 @@ class Solid::Builder {
     }
     if (!is_simple) return;
     for (const std::uint32_t primitive : taken) {
-      const auto node = std::find_if(solid_.nodes_.begin(), solid_.nodes_.end(), [&](const SolidNode& n) {
-        return n.is_primitive && n.primitive == primitive;
-      });
+      const auto node = std::find_if(solid_.nodes_.begin(), solid_.nodes_.end(),
+                                     [&](const SolidNode& n) { return n.is_primitive && n.primitive == primitive; });
       parts.taken.push_back({primitive, node->bounds});
     }
     if (indexed && indexed->index != SolidNode::no_index) parts.index = solid_.indices_[indexed->index];

@@ -9,8 +9,8 @@
 
 namespace sightline {
 
-/// A ray's passage through a face of a primitive. What was just stored in parts cannot be loaded as a whole until it has
-/// reached the cache; so this is copied by the parts that it is made of.
+/// A ray's passage through a face of a primitive. What was just stored in parts cannot be loaded as a whole until it
+/// has reached the cache; so this is copied by the parts that it is made of.
 struct Boundary {
   double t = 0;
   double radius = 0;            ///< |exact - t| is at most this; 0 at level fast, which takes t as it is.
