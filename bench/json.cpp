@@ -182,4 +182,6 @@ std::string json_text(const Report& report, std::span<const GrowthLine> growth) 
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
+std::string json_text(const Machine& machine) { return json_of(machine).dump(); }
+
 }  // namespace sightline::bench

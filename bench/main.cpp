@@ -2,12 +2,14 @@
 
 #include <cstdio>
 #include <exception>
+#include <string_view>
 
 #include "bench/bars.h"
 #include "bench/command_line.h"
 #include "bench/growth.h"
 #include "bench/json.h"
 #include "bench/rounds.h"
+#include "bench/solids/run.h"
 #include "bench/summary.h"
 #include "bench/table.h"
 #include "sightline/io/file_error.h"
@@ -94,6 +96,7 @@ int run(const CommandLine& line) {
 int main(int argc, char** argv) {
   using namespace sightline::bench;
   try {
+    if (argc > 1 && std::string_view(argv[1]) == "solids") return run_solids_command(argc - 1, argv + 1);
     const CommandLine line = parse_command_line(argc, argv);
     if (!line.help.empty()) {
       print(line.help);

@@ -2,6 +2,7 @@
 /// A ray with a margin, so that no structure culls what an intersector would report.
 
 #include <limits>
+#include <type_traits>
 
 #include "sightline/math/aabb.h"
 #include "sightline/math/interval.h"
@@ -28,10 +29,10 @@ inline constexpr double margin<double> = 0x1p-34;
 
 /// Half the width of the padded ray: the margin, and what underflow may add. `speed` is the direction's largest
 /// component. A parameter that underflows is off by up to one denormal step, which a large direction magnifies;
-/// computed in double, since denormals of float take processors long.
+/// computed in double, and for doubles from more than that step, since denormals take processors long.
 template <class T>
 T pad_of(T reach, T speed) {
-  constexpr double step = 2 * double(std::numeric_limits<T>::denorm_min());
+  constexpr double step = std::is_same_v<T, float> ? 2 * double(std::numeric_limits<float>::denorm_min()) : 0x1p-900;
   return static_cast<T>(double(margin<T> * reach) + step * double(speed));
 }
 

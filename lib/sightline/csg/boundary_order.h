@@ -37,7 +37,8 @@ class BoundaryOrder {
 
   SurfaceRoot root_of(const Boundary& boundary) const {
     const Primitive& primitive = solid_.primitives()[boundary.primitive];
-    return {surface_of(primitive.shape, boundary.face), FramedRay(ray_, solid_.frame_of(primitive)), boundary.root};
+    return {surface_of(primitive.shape, boundary.face), FramedRay(ray_, solid_.frame_of(primitive)),
+            static_cast<int>(boundary.root)};
   }
 
   const Solid& solid_;

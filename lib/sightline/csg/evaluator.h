@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <vector>
 
 #include "sightline/accel/padded_ray.h"
+#include "sightline/csg/convex_walk.h"
 #include "sightline/csg/primitive_spans.h"
 #include "sightline/csg/solid.h"
 
@@ -33,50 +33,95 @@ struct SolidStats : NoSolidProbe {
   void transition(std::uint32_t, const Transition&, bool, double) { ++transitions; }
 };
 
+/// A ray made ready for all solids within some bounds. Refers to both. Not to be shared by threads.
+template <Level level>
+class SolidRay {
+ public:
+  using Real = typename QuickRay<level>::Real;
+
+  SolidRay(const Ray<double>& ray, const Aabb& extent) : quick_(ray), extent_(&extent) {}
+
+  const Ray<double>& ray() const { return quick_.ray(); }
+  /// Made when it is needed first: many solids are answered without.
+  const PaddedRay<Real>& padded() const {
+    if (!padded_) padded_.emplace(to_real(ray()), *extent_);
+    return *padded_;
+  }
+  const QuickRay<level>& quick() const { return quick_; }
+  bool is_valid() const { return quick_.is_valid(); }
+
+ private:
+  static Ray<Real> to_real(const Ray<double>& ray) {
+    return {Vec3<Real>(ray.origin), Vec3<Real>(ray.direction), -std::numeric_limits<Real>::infinity()};
+  }
+
+  QuickRay<level> quick_;
+  const Aabb* extent_;
+  mutable std::optional<PaddedRay<Real>> padded_;
+};
+
 /// Evaluates one solid for one ray. Refers to both.
 ///   V1  A list is right within the window that it was asked for, ends included; beyond it anything may be missing.
 ///   V2  What is left out cannot have a boundary, nor be inside, within the window: its box, which is rounded outward,
 ///       is missed by a padded ray.
+///   V3  On the way, t need only be known well enough to put boundaries in order; those reported are as accurate as the
+///       level asks for.
 template <Level level, class Probe = NoSolidProbe>
 class SolidEvaluator {
  public:
   using Window = Interval<double>;
 
   SolidEvaluator(const Solid& solid, const Ray<double>& ray, Probe& probe)
-      : solid_(solid), ray_(ray), padded_(to_real(ray), solid.extent()), order_(solid, ray), probe_(probe) {}
+      : solid_(solid),
+        own_ray_(SolidRay<level>(ray, solid.extent())),
+        ray_(*own_ray_),
+        order_(solid, ray),
+        probe_(probe) {}
+  /// The ray is ready for all that the solid extends to.
+  SolidEvaluator(const Solid& solid, const SolidRay<level>& ray, Probe& probe)
+      : solid_(solid), ray_(ray), order_(solid, ray.ray()), probe_(probe) {}
 
   /// The solid's spans within the window; all of them without one. A ray that is not valid has none.
   SpanList spans(Window window = {-infinity, infinity}) {
     stack_.truncate(0);
-    if (!is_valid(ray_)) return nothing();
-    return evaluate(last_node(), window);
+    if (!ray_.is_valid()) return nothing();
+    const SpanList list = evaluate(last_node(), window);
+    refine(list);
+    return list;
   }
   std::span<const Boundary> operator[](const SpanList& list) const { return stack_[list]; }
 
   /// The first boundary with t_min < t <= t_max.
   std::optional<Boundary> first(double t_min, double t_max) {
     stack_.truncate(0);
-    if (!is_valid(ray_)) return std::nullopt;
+    if (!ray_.is_valid()) return std::nullopt;
+    if constexpr (!Probe::sees_transitions) {
+      if (const ConvexParts* parts = solid_.convex_parts()) {
+        using Walk = ConvexWalk<level, Probe>;
+        Boundary boundary;
+        const auto outcome = Walk(solid_, *parts, ray_.quick(), probe_, found_).run(t_min, t_max, boundary);
+        if (outcome == Walk::Outcome::none) return std::nullopt;
+        if (outcome == Walk::Outcome::found) {
+          return is_behind(boundary, t_max) ? std::nullopt : std::optional(refined(boundary));
+        }
+      }
+    }
     return solid_.options().stop_early ? first_of(last_node(), {t_min, t_max})
                                        : first_in(evaluate(last_node(), {t_min, t_max}), {t_min, t_max});
   }
 
  private:
-  using Real = std::conditional_t<level == Level::fast, float, double>;
+  using Real = typename SolidRay<level>::Real;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  static Ray<Real> to_real(const Ray<double>& ray) {
-    return {Vec3<Real>(ray.origin), Vec3<Real>(ray.direction), -std::numeric_limits<Real>::infinity()};
-  }
 
   std::uint32_t last_node() const { return static_cast<std::uint32_t>(solid_.nodes().size()) - 1; }
   SpanList nothing() const { return {stack_.size(), 0, false}; }
 
   /// V2
   bool is_met(const SolidNode& node, const Window& window) const {
-    if (!node.is_bounded || !solid_.options().use_bounds) return true;
+    if (!node.is_tested || !solid_.options().use_bounds) return true;
     if (node.bounds.is_empty()) return false;
-    const Interval<Real> range = padded_.clip(node.bounds, std::numeric_limits<Real>::infinity());
+    const Interval<Real> range = ray_.padded().clip(node.bounds, std::numeric_limits<Real>::infinity());
     return !(range.lo > above(window.hi)) && !(range.hi < below(window.lo)) && !(range.lo > range.hi);
   }
   static Real above(double t) {
@@ -103,7 +148,7 @@ class SolidEvaluator {
   SpanList finished(std::uint32_t index, const SolidNode& node, SpanList list) {
     if (node.is_complement) {
       list.begins_inside = !list.begins_inside;
-      for (std::uint32_t i = list.first; i < list.first + list.count; ++i) stack_[i].is_flipped = !stack_[i].is_flipped;
+      for (Boundary& boundary : stack_.part(list)) boundary.is_flipped = !boundary.is_flipped;
     }
     probe_.spans(index, stack_[list], list.begins_inside);
     return list;
@@ -111,7 +156,9 @@ class SolidEvaluator {
 
   SpanList primitive(const SolidNode& node) {
     probe_.primitive(node.primitive);
-    return primitive_spans<level>(solid_, node.primitive, ray_, order_, stack_);
+    const SpanList list = primitive_spans<level>(solid_, node.primitive, ray_.quick(), order_, stack_);
+    if constexpr (Probe::sees_transitions) refine(list);
+    return list;
   }
 
   SpanList operation(std::uint32_t index, const SolidNode& node, const Window& window) {
@@ -148,72 +195,124 @@ class SolidEvaluator {
                   const Window& window) {
     const Operation operation = node.operation == Operation::differ ? Operation::differ : Operation::unite;
     const OperandIndex* operands = solid_.index_of(node);
-    if (!operands || !solid_.options().index_operands) return folded(index, operation, children, window);
-    const std::size_t begin = found_.size();
-    Ray<double> part = ray_;
+    if (!operands || !solid_.options().index_operands) {
+      return folded(index, operation, 0, children.size(), window, [&](std::size_t i) { return children[i]; });
+    }
+    const std::uint32_t begin = found_.size();
+    Ray<double> part = ray_.ray();
     part.t_min = window.lo, part.t_max = window.hi;
     operands->find(part, found_);
-    std::sort(found_.begin() + static_cast<std::ptrdiff_t>(begin), found_.end());
-    found_.erase(std::unique(found_.begin() + static_cast<std::ptrdiff_t>(begin), found_.end()), found_.end());
-    std::vector<std::uint32_t> met;
-    for (std::size_t i = begin; i < found_.size(); ++i) met.push_back(children[found_[i]]);
-    found_.resize(begin);
-    return folded(index, operation, met, window);
+    std::sort(found_.begin() + begin, found_.end());
+    found_.truncate(static_cast<std::uint32_t>(std::unique(found_.begin() + begin, found_.end()) - found_.begin()));
+    const SpanList list = folded(index, operation, begin, found_.size(), window,
+                                 [&](std::size_t i) { return children[found_[static_cast<std::uint32_t>(i)]]; });
+    found_.truncate(begin);
+    return list;
   }
 
   /// By halves, so that a boundary passes through as many merges as the logarithm of the number of operands.
-  SpanList folded(std::uint32_t index, Operation operation, std::span<const std::uint32_t> children,
-                  const Window& window) {
-    if (children.empty()) return nothing();
-    if (children.size() == 1) return evaluate(children[0], window);
-    const SpanList a = folded(index, operation, children.first(children.size() / 2), window);
-    const SpanList b = folded(index, operation, children.subspan(children.size() / 2), window);
+  template <class Child>
+  SpanList folded(std::uint32_t index, Operation operation, std::size_t begin, std::size_t end, const Window& window,
+                  const Child& child) {
+    if (begin == end) return nothing();
+    if (end - begin == 1) return evaluate(child(begin), window);
+    const std::size_t middle = begin + (end - begin) / 2;
+    const SpanList a = folded(index, operation, begin, middle, window, child);
+    const SpanList b = folded(index, operation, middle, end, window, child);
     return combined(index, operation, a, b);
   }
 
   /// Merges two lists, b behind a on top of the stack, into the list of the result in their place.
   SpanList combined(std::uint32_t index, Operation operation, const SpanList& a, const SpanList& b) {
+    if (!Probe::sees_transitions && a.is_empty() && (operation == Operation::unite || operation == Operation::differ)) {
+      return b;
+    }
     SpanList list{a.first, 0, is_inside(operation, a.begins_inside, b.begins_inside)};
-    const std::uint32_t end_a = a.first + a.count, end_b = b.first + b.count;
     if (!Probe::sees_transitions && b.is_empty() && operation != Operation::intersect) {
       list.count = a.count;
       return list;
     }
+    merge(index, operation, a, b, [&](const Boundary& boundary) {
+      stack_.push(boundary);
+      return true;
+    });
+    stack_.erase(a.first, b.first + b.count);
+    list.count = stack_.size() - a.first;
+    return list;
+  }
+
+  /// Calls take(boundary) for the boundaries of the result of two lists, in order, until it returns false.
+  template <class Take>
+  [[gnu::always_inline]] void merge(std::uint32_t index, Operation operation, const SpanList& a, const SpanList& b,
+                                    Take&& take) {
+    const std::uint32_t end_a = a.first + a.count, end_b = b.first + b.count;
     bool is_in_a = a.begins_inside, is_in_b = b.begins_inside;
     for (std::uint32_t i = a.first, j = b.first; i < end_a || j < end_b;) {
       const int order = i == end_a ? 1 : j == end_b ? -1 : order_(stack_[i], stack_[j]);
       const Transition step{is_in_a, is_in_a != (order <= 0), is_in_b, is_in_b != (order >= 0)};
       is_in_a = step.is_in_a, is_in_b = step.is_in_b;
-      const Boundary& from_a = stack_[i < end_a ? i : j];
-      const Boundary& from_b = stack_[j < end_b ? j : i];
-      const bool takes_a = order < 0 || (order == 0 && from_a.primitive <= from_b.primitive);
-      Boundary boundary = takes_a ? from_a : from_b;
+      const bool takes_a = order < 0 || (order == 0 && stack_[i].primitive <= stack_[j].primitive);
+      const std::uint32_t from = takes_a ? i : j;
       const bool kept = is_kept(operation, step);
-      probe_.transition(index, step, kept, boundary.t);
+      probe_.transition(index, step, kept, stack_[from].t);
       i += order <= 0, j += order >= 0;
       if (!kept) continue;
+      Boundary boundary = stack_[from];
       boundary.is_flipped ^= (takes_a ? step.is_in_a : step.is_in_b) != is_inside(operation, step);
-      stack_.push(boundary);
+      if (!take(boundary)) return;
     }
-    stack_.erase(a.first, end_b);
-    list.count = stack_.size() - a.first;
-    return list;
+  }
+
+  // ---- What is reported (V3)
+
+  Boundary refined(const Boundary& boundary) const {
+    if (is_accurate<level>(boundary.t, boundary.radius)) [[likely]]
+      return boundary;
+    return refined_apart(boundary);
+  }
+  [[gnu::noinline]] Boundary refined_apart(Boundary boundary) const {
+    const Primitive& primitive = solid_.primitives()[boundary.primitive];
+    const LocalRay<level> ray(ray_.ray(), solid_.frame_of(primitive));
+    const RootList list = std::visit([&](const auto& surface) { return face_roots<level>(surface, ray); },
+                                     surface_of(primitive.shape, boundary.face));
+    boundary.t = list.roots[boundary.root].t;
+    boundary.radius = list.roots[boundary.root].radius;
+    return boundary;
+  }
+  void refine(const SpanList& list) {
+    for (Boundary& boundary : stack_.part(list)) boundary = refined(boundary);
+  }
+
+  /// Whether the boundary would be reported behind t.
+  bool is_behind(const Boundary& boundary, double t) const {
+    // The reported one is no farther from the true one than this one is.
+    if (std::fabs(boundary.t - t) > 3 * boundary.radius) [[likely]]
+      return boundary.t > t;
+    return refined(boundary).t > t;
   }
 
   // ---- The first boundary
 
+  /// Of those that a step of a merge reports, the first behind the window's begin ends it.
+  bool is_first(const Boundary& boundary, const Window& window, std::optional<Boundary>& first) const {
+    if (!is_behind(boundary, window.lo)) return false;
+    if (!is_behind(boundary, window.hi)) first = refined(boundary);
+    return true;
+  }
+
   std::optional<Boundary> first_in(const SpanList& list, const Window& window) const {
+    std::optional<Boundary> first;
     for (const Boundary& boundary : stack_[list]) {
-      if (boundary.t > window.lo) return boundary.t <= window.hi ? std::optional(boundary) : std::nullopt;
+      if (is_first(boundary, window, first)) break;
     }
-    return std::nullopt;
+    return first;
   }
 
   /// Whether the ray is inside just behind the window's begin.
   bool begins_within(const SpanList& list, const Window& window) const {
     bool is_inside = list.begins_inside;
     for (const Boundary& boundary : stack_[list]) {
-      if (boundary.t > window.lo) break;
+      if (is_behind(boundary, window.lo)) break;
       is_inside = !is_inside;
     }
     return is_inside;
@@ -262,32 +361,35 @@ class SolidEvaluator {
     bool is_inside = minuend.begins_inside;
     for (std::uint32_t i = 0; i <= minuend.count; ++i, is_inside = !is_inside) {
       if (!is_inside) continue;
-      // The span from the boundary before i to the one at i, either of which may be missing.
-      SpanList span{size, 0, i == 0};
-      for (std::uint32_t end = i == 0 ? 0 : i - 1; end <= i && end < minuend.count; ++end) {
-        const Boundary boundary = stack_[minuend.first + end];
-        stack_.push(boundary);
-        ++span.count;
-      }
-      const double lo = i == 0 ? -infinity : stack_[size].t - stack_[size].radius;
-      const double hi = i == minuend.count ? infinity : stack_[stack_.size() - 1].t + stack_[stack_.size() - 1].radius;
-      if (lo > window.hi) break;
-      if (hi >= window.lo) {
-        const auto boundary = first_in(subtracted(index, node, span, window), window);
-        if (boundary) return boundary;
-      }
+      // From the boundary before i to the one at i, either of which may be missing.
+      const std::uint32_t begin = i == 0 ? 0 : i - 1, end = std::min<std::uint32_t>(i + 1, minuend.count);
+      const SpanList span{minuend.first + begin, end - begin, i == 0};
+      const Window own{i == 0 ? -infinity : stack_[span.first].t - stack_[span.first].radius,
+                       i == minuend.count ? infinity : stack_[minuend.first + i].t + stack_[minuend.first + i].radius};
+      if (own.lo > window.hi) break;
+      if (own.hi < window.lo) continue;
+      const Window both =
+          solid_.options().skip_empty ? Window{std::max(own.lo, window.lo), std::min(own.hi, window.hi)} : window;
+      const SpanList rest = folded(index, node, solid_.children(node).subspan(1), both);
+      std::optional<Boundary> first;
+      bool is_done = false;
+      merge(index, Operation::subtract, span, rest, [&](const Boundary& boundary) {
+        is_done = is_first(boundary, window, first);
+        return !is_done;
+      });
+      if (is_done) return first;
       stack_.truncate(size);
     }
     return std::nullopt;
   }
 
   const Solid& solid_;
-  const Ray<double>& ray_;
-  PaddedRay<Real> padded_;
+  const std::optional<SolidRay<level>> own_ray_;
+  const SolidRay<level>& ray_;
   BoundaryOrder<level> order_;
   Probe& probe_;
   SpanStack stack_;
-  std::vector<std::uint32_t> found_;
+  OperandList found_;
 };
 
 }  // namespace sightline

@@ -39,9 +39,20 @@ struct Gradient {
   }
 };
 
+/// Of a primitive's face; that of a surface, without a copy of it where that is easy.
+Vec3d gradient_at(const SolidShape& shape, std::uint32_t face, const Vec3d& p) {
+  const Gradient gradient{p};
+  if (const auto* box = std::get_if<solid::Box>(&shape)) return gradient(solid::face_of(*box, face));
+  if (const auto* sphere = std::get_if<solid::Sphere>(&shape)) return gradient(*sphere);
+  if (const auto* cylinder = std::get_if<solid::Cylinder>(&shape); cylinder && face == 0) return gradient(*cylinder);
+  return std::visit(gradient, surface_of(shape, face));
+}
+
 /// Of unit length, or the other vector's direction where there is none.
 Vec3d unit(const Vec3d& v, const Vec3d& otherwise) {
   const double size = max_norm(v);
+  if (size > 0x1p-400 && size < 0x1p+400) [[likely]]
+    return v * (1 / std::sqrt(glm::dot(v, v)));
   if (!(size > 0) || !std::isfinite(size)) return glm::normalize(otherwise / max_norm(otherwise));
   return glm::normalize(v / size);
 }
@@ -51,13 +62,17 @@ Vec3d unit(const Vec3d& v, const Vec3d& otherwise) {
 Vec3d Solid::normal(const Boundary& boundary, const Ray<double>& ray) const {
   const Primitive& primitive = primitives_[boundary.primitive];
   const Frame* frame = frame_of(primitive);
+  if (const auto* box = std::get_if<solid::Box>(&primitive.shape); box && !frame) {
+    const Vec3d normal = Gradient{Vec3d(0)}(solid::face_of(*box, boundary.face));
+    return boundary.is_flipped ? -normal : normal;
+  }
   const Vec3d world = ray.at(boundary.t);
   Vec3d local = world;
   for (int i = 0; i < 3 && frame; ++i) {
     const auto& row = frame->rows[static_cast<std::size_t>(i)];
     local[i] = row[0] * world.x + row[1] * world.y + row[2] * world.z + row[3];
   }
-  const Vec3d gradient = std::visit(Gradient{local}, surface_of(primitive.shape, boundary.face));
+  const Vec3d gradient = gradient_at(primitive.shape, boundary.face, local);
   Vec3d normal = gradient;
   if (frame) {  // covectors go back by the transposed matrix
     normal = Vec3d(0);

@@ -28,18 +28,26 @@ class Boxes final : public Primitives {
   std::span<const Aabb> boxes_;
 };
 
+/// Testing an operand takes longer than a node.
+template <class Structure>
+typename Structure::Options small_leaves() {
+  typename Structure::Options options;
+  if constexpr (requires { options.max_leaf_size; }) options.max_leaf_size = 1;
+  return options;
+}
+
 template <class Structure>
 class IndexOf final : public OperandIndex {
  public:
-  explicit IndexOf(std::span<const Aabb> boxes) : structure_(Structure::build(Boxes(boxes), {})) {}
+  explicit IndexOf(std::span<const Aabb> boxes)
+      : structure_(Structure::build(Boxes(boxes), small_leaves<Structure>())) {}
 
-  void find(const Ray<double>& ray, std::vector<std::uint32_t>& found) const override {
+  void find(const Ray<double>& ray, OperandList& found) const override {
     NoProbe probe;
     structure_.traverse(
         ray,
         [&](LeafRange leaf) {
-          const auto ids = structure_.leaf_order().subspan(leaf.first, leaf.count);
-          found.insert(found.end(), ids.begin(), ids.end());
+          for (const std::uint32_t id : structure_.leaf_order().subspan(leaf.first, leaf.count)) found.push(id);
           return ray.t_max;
         },
         probe);

@@ -5,19 +5,21 @@
 #include <memory>
 #include <span>
 #include <string_view>
-#include <vector>
 
+#include "sightline/csg/small_stack.h"
 #include "sightline/math/aabb.h"
 #include "sightline/math/ray.h"
 
 namespace sightline {
+
+using OperandList = SmallStack<std::uint32_t, 64>;
 
 class OperandIndex {
  public:
   virtual ~OperandIndex() = default;
 
   /// Appends the number of each box that the ray may meet within its range, in any order, some more than once.
-  virtual void find(const Ray<double>& ray, std::vector<std::uint32_t>& found) const = 0;
+  virtual void find(const Ray<double>& ray, OperandList& found) const = 0;
 };
 
 /// \throws std::invalid_argument for an unknown structure.

@@ -1,7 +1,11 @@
 #include "sightline/csg/primitive.h"
 
-#include <cassert>
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
 #include <type_traits>
+
+#include "sightline/math/sized_double.h"
 
 namespace sightline {
 namespace {
@@ -30,7 +34,43 @@ struct SurfaceOf {
   Surface operator()(const std::shared_ptr<const ClosedMesh>& mesh) const { return mesh->facet(face); }
 };
 
+bool are_moderate(std::initializer_list<double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::fabs(x) <= SizedDouble::largest; });
+}
+bool is_moderate(const Vec3d& v) { return are_moderate({v.x, v.y, v.z}); }
+
+struct IsModerate {
+  bool operator()(const solid::HalfSpace& half) const {
+    return is_moderate(half.normal) && are_moderate({half.offset});
+  }
+  bool operator()(const solid::Sphere& sphere) const {
+    return is_moderate(sphere.center) && are_moderate({sphere.radius});
+  }
+  bool operator()(const solid::Box& box) const { return is_moderate(box.lo) && is_moderate(box.hi); }
+  bool operator()(const solid::Cylinder& cylinder) const {
+    return is_moderate(cylinder.base) && is_moderate(cylinder.top) && are_moderate({cylinder.radius});
+  }
+  bool operator()(const solid::Cone& cone) const {
+    return is_moderate(cone.apex) && is_moderate(cone.base) && are_moderate({cone.radius});
+  }
+  bool operator()(const solid::Quadric& quadric) const {
+    return std::all_of(quadric.coefficients.begin(), quadric.coefficients.end(),
+                       [](double x) { return are_moderate({x}); });
+  }
+  bool operator()(const solid::Torus&) const { return false; }
+  bool operator()(const std::shared_ptr<const ClosedMesh>& mesh) const {
+    return std::all_of(mesh->vertices().begin(), mesh->vertices().end(), [](const Vec3d& v) { return is_moderate(v); });
+  }
+};
+
 }  // namespace
+
+bool is_moderate(const SolidShape& shape, const Frame& frame) {
+  for (const auto& row : frame.rows) {
+    if (!are_moderate({row[0], row[1], row[2], row[3]})) return false;
+  }
+  return std::visit(IsModerate(), shape);
+}
 
 Surface surface_of(const SolidShape& shape, std::uint32_t face) { return std::visit(SurfaceOf{face}, shape); }
 
@@ -57,15 +97,6 @@ std::variant<solid::AxisPlane, solid::HalfSpace> plane_of(const solid::HalfSpace
                         (half.offset == 0 || (std::fabs(half.offset) > 0x1p-900 && std::isnormal(position)));
   if (!is_exact) return half;
   return solid::AxisPlane{axis, position, scale > 0};
-}
-
-std::variant<solid::AxisPlane, solid::Cap> plane_of(const solid::Cap& cap) {
-  int axis = -1, moves = 0;
-  for (int i = 0; i < 3; ++i) {
-    if (cap.from[i] != cap.to[i]) axis = i, ++moves;
-  }
-  if (moves != 1) return cap;
-  return solid::AxisPlane{axis, cap.to[axis], cap.to[axis] > cap.from[axis]};
 }
 
 }  // namespace sightline

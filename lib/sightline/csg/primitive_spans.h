@@ -1,10 +1,12 @@
 #pragma once
 /// Where a ray is inside a primitive.
 
+#include <cmath>
+#include <utility>
 #include <variant>
 
 #include "sightline/csg/boundary_order.h"
-#include "sightline/csg/face_roots.h"
+#include "sightline/csg/quick_spans.h"
 
 namespace sightline {
 
@@ -14,15 +16,16 @@ namespace detail {
 template <Level level>
 class PrimitiveSpans {
  public:
-  PrimitiveSpans(const Solid& solid, std::uint32_t id, const Ray<double>& ray, const BoundaryOrder<level>& order,
+  PrimitiveSpans(const Solid& solid, std::uint32_t id, const QuickRay<level>& ray, const BoundaryOrder<level>& order,
                  SpanStack& stack)
       : primitive_(solid.primitives()[id]),
         id_(id),
-        ray_(ray, solid.frame_of(primitive_)),
+        ray_(ray),
+        frame_(solid.frame_of(primitive_)),
         order_(order),
         stack_(stack) {}
 
-  SpanList run() {
+  [[gnu::noinline]] SpanList run() {
     const std::uint32_t first = stack_.size();
     const bool begins = std::visit(*this, primitive_.shape);
     return {first, stack_.size() - first, begins};
@@ -31,24 +34,24 @@ class PrimitiveSpans {
   // Each pushes the boundaries and returns whether the line begins inside.
 
   bool operator()(const solid::HalfSpace& half) {
-    return std::visit([&](const auto& plane) { return push(0, face_roots(plane, ray_)); }, plane_of(half));
+    return std::visit([&](const auto& plane) { return push(0, roots(plane)); }, plane_of(half));
   }
-  bool operator()(const solid::Sphere& sphere) { return push(0, face_roots(sphere, ray_)); }
-  bool operator()(const solid::Quadric& quadric) { return push(0, face_roots(quadric, ray_)); }
-  bool operator()(const solid::Torus& torus) { return push(0, face_roots(torus, ray_)); }
+  bool operator()(const solid::Sphere& sphere) { return push(0, roots(sphere)); }
+  bool operator()(const solid::Quadric& quadric) { return push(0, roots(quadric)); }
+  bool operator()(const solid::Torus& torus) { return push(0, roots(torus)); }
 
   bool operator()(const solid::Box& box) {
     Convex span;
     for (std::uint32_t face = 0; face < 6 && !span.is_empty; ++face) {
-      narrow(span, face, face_roots(solid::face_of(box, face), ray_));
+      narrow(span, face, roots(solid::face_of(box, face)));
     }
     return push(span);
   }
 
   bool operator()(const solid::Cylinder& cylinder) {
     Convex span;
-    narrow_by_caps(span, cylinder);
-    if (!span.is_empty) narrow(span, 0, face_roots(cylinder, ray_));
+    narrow(span, 0, roots(cylinder));
+    if (!span.is_empty) narrow_by_caps(span, cylinder);
     return push(span);
   }
 
@@ -57,7 +60,7 @@ class PrimitiveSpans {
     Convex slab;
     narrow_by_caps(slab, cone);
     if (slab.is_empty) return false;
-    const RootList list = face_roots(cone, ray_);
+    const RootList list = roots(cone);
     if (list.count < 2 || !list.begins_negative) {
       narrow(slab, 0, list);
       return push(slab);
@@ -71,7 +74,8 @@ class PrimitiveSpans {
 
   bool operator()(const std::shared_ptr<const ClosedMesh>& mesh) {
     const std::uint32_t first = stack_.size();
-    mesh->passages(ray_, [&](std::uint32_t face, bool) { push(face, face_roots(mesh->facet(face), ray_)); });
+    mesh->passages(FramedRay(ray_.ray(), frame_),
+                   [&](std::uint32_t face, bool) { push(face, roots(mesh->facet(face))); });
     sort(first);
     cancel(first);
     return false;
@@ -85,9 +89,14 @@ class PrimitiveSpans {
     bool is_empty = false;
   };
 
+  template <class S>
+  RootList roots(const S& surface) const {
+    return quick_roots<level>(surface, ray_, frame_, primitive_.is_moderate);
+  }
+
   Boundary boundary(std::uint32_t face, const RootList& list, int i) const {
     const Root& root = list.roots[static_cast<std::size_t>(i)];
-    return {root.t, root.radius, id_, face, static_cast<std::uint8_t>(i), false};
+    return {root.t, root.radius, id_, face, static_cast<std::uint32_t>(i)};
   }
 
   /// Roots of even multiplicity only touch. Rounded ones may be equal.
@@ -137,8 +146,7 @@ class PrimitiveSpans {
   template <class Shape>
   void narrow_by_caps(Convex& span, const Shape& shape) const {
     for (std::uint32_t face = 1; face <= 2 && !span.is_empty; ++face) {
-      std::visit([&](const auto& plane) { narrow(span, face, face_roots(plane, ray_)); },
-                 plane_of(cap_of(shape, face == 2)));
+      std::visit([&](const auto& plane) { narrow(span, face, roots(plane)); }, plane_of(cap_of(shape, face == 2)));
     }
   }
 
@@ -165,7 +173,8 @@ class PrimitiveSpans {
 
   const Primitive& primitive_;
   std::uint32_t id_;
-  LocalRay<level> ray_;
+  const QuickRay<level>& ray_;
+  const Frame* frame_;
   const BoundaryOrder<level>& order_;
   SpanStack& stack_;
 };
@@ -174,8 +183,18 @@ class PrimitiveSpans {
 
 /// The spans of a solid's primitive along the whole line of a ray, on top of the stack.
 template <Level level>
-SpanList primitive_spans(const Solid& solid, std::uint32_t id, const Ray<double>& ray,
-                         const BoundaryOrder<level>& order, SpanStack& stack) {
+[[gnu::always_inline]] inline SpanList primitive_spans(const Solid& solid, std::uint32_t id, const QuickRay<level>& ray,
+                                                       const BoundaryOrder<level>& order, SpanStack& stack) {
+  const Primitive& primitive = solid.primitives()[id];
+  const detail::QuickSpan quick = quick_span(primitive, solid.frame_of(primitive), ray);
+  SpanList list{stack.size(), 0, false};
+  if (quick.kind == detail::QuickSpan::Kind::empty) return list;
+  if (quick.kind == detail::QuickSpan::Kind::span) [[likely]] {
+    stack.push({quick.enter.t, quick.enter.radius, id, quick.enter.face, quick.enter.root});
+    stack.push({quick.leave.t, quick.leave.radius, id, quick.leave.face, quick.leave.root});
+    list.count = 2;
+    return list;
+  }
   return detail::PrimitiveSpans<level>(solid, id, ray, order, stack).run();
 }
 

@@ -10,10 +10,13 @@
 
 namespace sightline {
 
+/// What levels that are not exact promise of t, as a share of it. The exact one has the nearest double.
+constexpr double accuracy_of(Level level) { return level == Level::watertight ? 0x1p-40 : 0x1p-52; }
+
 /// Whether all is known of roots that a level below exact asks for: t to this part of itself.
 inline bool is_accurate(const RootList& list, Level level) {
   if (!list.is_certain) return false;
-  const double share = level == Level::watertight ? 0x1p-46 : 0x1p-52;
+  const double share = accuracy_of(level);
   for (int i = 0; i < list.count; ++i) {
     const Root& root = list.roots[static_cast<std::size_t>(i)];
     if (!(root.radius <= share * std::fabs(root.t))) return false;

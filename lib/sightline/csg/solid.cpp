@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sightline/csg/primitive_bounds.h"
+#include "sightline/csg/quick_spans.h"
 #include "sightline/csg/span_list.h"
 
 namespace sightline {
@@ -22,6 +23,7 @@ class Solid::Builder {
     for (const SolidNode& node : solid_.nodes_) {
       if (node.is_bounded) solid_.extent_.extend(node.bounds);
     }
+    if (solid_.options_.stop_early && solid_.options_.walk_convex) find_convex_parts();
   }
 
  private:
@@ -91,7 +93,8 @@ class Solid::Builder {
     check(tree.frame);
     Draft draft;
     draft.node.primitive = static_cast<std::uint32_t>(solid_.primitives_.size());
-    solid_.primitives_.push_back({tree.shape, number_of(tree.frame), number_of(tree.material)});
+    solid_.primitives_.push_back(
+        {tree.shape, number_of(tree.frame), number_of(tree.material), is_moderate(tree.shape, tree.frame)});
     if (const auto bounds = bounds_of(tree.shape, tree.frame)) {
       draft.node.is_bounded = true;
       draft.node.bounds = *bounds;
@@ -173,12 +176,15 @@ class Solid::Builder {
     }
   }
 
-  /// Moves a draft and what it is made of into the solid, children first (N1).
-  std::uint32_t place(std::uint32_t index, bool is_complement = false) {
+  /// Moves a draft and what it is made of into the solid, children first (N1). `tested` holds all that is asked about
+  /// when it comes to this node.
+  std::uint32_t place(std::uint32_t index, bool is_complement = false, const Aabb* tested = nullptr) {
     Draft& draft = drafts_[index];
     draft.node.is_complement ^= is_complement;
+    draft.node.is_tested = draft.node.is_bounded && !(tested && draft.node.bounds.contains(*tested));
+    if (draft.node.is_tested) tested = &draft.node.bounds;
     std::vector<std::uint32_t> children;
-    for (const std::uint32_t child : draft.children) children.push_back(place(child));
+    for (const std::uint32_t child : draft.children) children.push_back(place(child, false, tested));
     draft.node.first_child = static_cast<std::uint32_t>(solid_.children_.size());
     draft.node.child_count = static_cast<std::uint32_t>(children.size());
     solid_.children_.insert(solid_.children_.end(), children.begin(), children.end());
@@ -199,6 +205,49 @@ class Solid::Builder {
     }
     node.index = static_cast<std::uint32_t>(solid_.indices_.size());
     solid_.indices_.push_back(make_operand_index(accelerator_, boxes));
+  }
+
+  /// Appends the primitives of a node that is one, or such an operation on primitives.
+  bool list_primitives(std::uint32_t index, Operation op, std::vector<std::uint32_t>& list) const {
+    const SolidNode& node = solid_.nodes_[index];
+    if (node.is_complement) return false;
+    if (node.is_primitive) {
+      list.push_back(node.primitive);
+      return has_quick_span(solid_.primitives_[node.primitive]);
+    }
+    if (node.operation != op) return false;
+    const auto children = solid_.children(node);
+    return std::all_of(children.begin(), children.end(), [&](std::uint32_t child) {
+      return solid_.nodes_[child].is_primitive && list_primitives(child, op, list);
+    });
+  }
+
+  void find_convex_parts() {
+    const SolidNode& root = solid_.root();
+    ConvexParts parts;
+    std::vector<std::uint32_t> taken;
+    const auto last = static_cast<std::uint32_t>(solid_.nodes_.size()) - 1;
+    const SolidNode* indexed = &root;
+    bool is_simple = true;
+    if (!root.is_primitive && !root.is_complement && root.operation == Operation::subtract) {
+      const auto children = solid_.children(root);
+      is_simple = list_primitives(children[0], Operation::intersect, parts.kept);
+      for (const std::uint32_t child : children.subspan(1)) {
+        is_simple = is_simple && list_primitives(child, Operation::unite, taken);
+        // One that is no primitive must be the only one, for the index to count as the list does.
+        if (!solid_.nodes_[child].is_primitive) indexed = children.size() == 2 ? &solid_.nodes_[child] : nullptr;
+      }
+    } else {
+      is_simple = list_primitives(last, Operation::intersect, parts.kept);
+    }
+    if (!is_simple) return;
+    for (const std::uint32_t primitive : taken) {
+      const auto node = std::find_if(solid_.nodes_.begin(), solid_.nodes_.end(),
+                                     [&](const SolidNode& n) { return n.is_primitive && n.primitive == primitive; });
+      parts.taken.push_back({primitive, node->bounds});
+    }
+    if (indexed && indexed->index != SolidNode::no_index) parts.index = solid_.indices_[indexed->index];
+    solid_.convex_parts_ = std::move(parts);
   }
 
   Solid& solid_;

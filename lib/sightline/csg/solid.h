@@ -24,9 +24,10 @@ struct SolidOptions {
   bool absorb_complements = true;
   bool index_operands = true;
   bool stop_early = true;
+  bool walk_convex = true;
   int index_from = 8;
 
-  static constexpr std::array<OptionField<SolidOptions>, 7> fields() {
+  static constexpr std::array<OptionField<SolidOptions>, 8> fields() {
     return {{
         {"use_bounds", &SolidOptions::use_bounds, 0, 1, "leave out subtrees whose box the ray misses"},
         {"skip_empty", &SolidOptions::skip_empty, 0, 1,
@@ -38,6 +39,8 @@ struct SolidOptions {
         {"index_operands", &SolidOptions::index_operands, 0, 1, "find the operands of large unions by an accelerator"},
         {"stop_early", &SolidOptions::stop_early, 0, 1,
          "go from front to back and stop at the first boundary asked for"},
+        {"walk_convex", &SolidOptions::walk_convex, 0, 1,
+         "find the first boundary of convex parts less convex parts without lists, where all is clear"},
         {"index_from", &SolidOptions::index_from, 2, 1 << 20, "a union of this many operands has an accelerator"},
     }};
   }
@@ -50,12 +53,26 @@ struct SolidNode {
   Operation operation = Operation::unite;  ///< A subtraction takes all children but the first from the first.
   bool is_complement = false;              ///< Of what the rest says.
   bool is_bounded = false;
-  Aabb bounds;  ///< Holds the node, where that is bounded.
+  bool is_tested = false;  ///< Rays are tested with the bounds: it is bounded, and more narrowly than its parents.
+  Aabb bounds;             ///< Holds the node, where that is bounded.
   std::uint32_t primitive = 0;
   std::uint32_t first_child = 0, child_count = 0;
   std::uint32_t index = no_index;  ///< Of the accelerator that finds the children, but for a subtraction's first.
 
   static constexpr std::uint32_t no_index = 0xffff'ffff;
+};
+
+/// What a solid is: what the first ones, of which there is at least one, have in common, less all others. All are
+/// primitives with quick_span.
+struct ConvexParts {
+  struct Taken {
+    std::uint32_t primitive;
+    Aabb bounds;
+  };
+
+  std::vector<std::uint32_t> kept;
+  std::vector<Taken> taken;
+  std::shared_ptr<const OperandIndex> index;  ///< Of `taken`, by place there; or null.
 };
 
 /// Immutable, and safe to ask from many threads.
@@ -83,6 +100,9 @@ class Solid {
     return node.index == SolidNode::no_index ? nullptr : indices_[node.index].get();
   }
 
+  /// nullptr where the solid is not so simple, or is not to be asked so.
+  const ConvexParts* convex_parts() const { return convex_parts_.kept.empty() ? nullptr : &convex_parts_; }
+
   bool is_bounded() const { return root().is_bounded; }
   /// Of the solid where it is bounded; see `extent` otherwise.
   const Aabb& bounds() const { return root().bounds; }
@@ -103,6 +123,7 @@ class Solid {
   std::vector<SolidNode> nodes_;
   std::vector<std::uint32_t> children_;
   std::vector<std::shared_ptr<const OperandIndex>> indices_;
+  ConvexParts convex_parts_;
   Aabb extent_;
 };
 

@@ -2,9 +2,11 @@
 /// Solids as primitives of the accelerators: each is one, however many parts it has.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -26,18 +28,20 @@ class SolidSet {
 
   class PreparedRay {
    public:
-    explicit PreparedRay(const Ray<double>& ray) : ray_(ray) {}
+    PreparedRay(const Ray<double>& ray, const Aabb& extent) : wide_(ray), extent_(&extent) {}
 
     template <class Report>
     void for_each_crossing(const Solid& solid, Report&& report) const {
       NoSolidProbe probe;
-      SolidEvaluator<level> evaluator(solid, ray_, probe);
+      const SolidRay<level> ray(wide_, *extent_);
+      SolidEvaluator<level> evaluator(solid, ray, probe);
       const SpanList list = evaluator.spans();
       for (const Boundary& boundary : evaluator[list]) report(crossing_of(boundary));
     }
 
    private:
-    Ray<double> ray_;
+    Ray<double> wide_;
+    const Aabb* extent_;
   };
 
   SolidSet() = default;
@@ -46,6 +50,7 @@ class SolidSet {
   explicit SolidSet(std::vector<std::shared_ptr<const Solid>> solids) : solids_(std::move(solids)) {
     for (std::size_t id = 0; id < solids_.size(); ++id) {
       const Solid& solid = *solids_[id];
+      extent_.extend(solid.extent());
       const bool has_bounds = solid.is_bounded() && !solid.root().is_complement;
       if (has_bounds && !solid.bounds().is_empty()) continue;
       throw std::invalid_argument("solid " + std::to_string(id) + ": expected one with finite bounds, found one " +
@@ -63,10 +68,13 @@ class SolidSet {
   }
   Hull hull(std::uint32_t id) const { return hull_of(bounds(id)); }
   CandidatePlanes planes(std::uint32_t id) const { return faces_of(bounds(id)); }
-  PreparedRay prepare(const Ray<double>& ray) const { return PreparedRay(ray); }
+  PreparedRay prepare(const Ray<double>& ray) const { return {ray, extent_}; }
+  /// Of all parts of all solids.
+  const Aabb& extent() const { return extent_; }
 
  private:
   std::vector<std::shared_ptr<const Solid>> solids_;
+  Aabb extent_;
 };
 
 static_assert(Shapes<SolidSet<Level::watertight>>);
@@ -78,15 +86,37 @@ class SolidLeaves {
   SolidLeaves(const SolidSet<level>& solids, std::span<const std::uint32_t> order, Probe& probe)
       : solids_(solids), order_(order), probe_(probe) {}
 
+  /// Made ready when the first solid needs it: many rays meet none.
   template <class T>
-  Ray<T> prepare(const Ray<T>& ray) const {
-    return ray;
+  class PreparedRay {
+   public:
+    PreparedRay(const Ray<T>& ray, const Aabb& extent) : ray_(ray), wide_(wide(ray)), extent_(extent) {}
+
+    const Ray<T>& ray() const { return ray_; }
+    const SolidRay<level>& ready() {
+      if (!ready_) ready_.emplace(wide_, extent_);
+      return *ready_;
+    }
+
+   private:
+    static const Ray<double>& wide(const Ray<double>& ray) { return ray; }
+    static Ray<double> wide(const Ray<float>& ray) { return to_double(ray); }
+
+    const Ray<T>& ray_;
+    std::conditional_t<std::is_same_v<T, double>, const Ray<double>&, Ray<double>> wide_;
+    const Aabb& extent_;
+    std::optional<SolidRay<level>> ready_;
+  };
+
+  template <class T>
+  PreparedRay<T> prepare(const Ray<T>& ray) const {
+    return {ray, solids_.extent()};
   }
 
   /// Calls see(id, crossing) for the first crossing of each solid in the ray's range and not beyond `far`, until it
   /// returns false.
   template <class T, class See>
-  void for_first_crossings(const Ray<T>& ray, LeafRange leaf, T far, See&& see) const {
+  void for_first_crossings(PreparedRay<T>& ray, LeafRange leaf, T far, See&& see) const {
     for (const std::uint32_t id : order_.subspan(leaf.first, leaf.count)) {
       if (!see_first(id, ray, far, see)) return;
     }
@@ -94,25 +124,24 @@ class SolidLeaves {
 
   /// The same for all crossings.
   template <class T, class See>
-  void for_each_crossing(const Ray<T>& ray, LeafRange leaf, T, See&& see) const {
+  void for_each_crossing(PreparedRay<T>& ray, LeafRange leaf, T, See&& see) const {
     bool goes_on = true;
     for (std::size_t i = 0; i < leaf.count && goes_on; ++i) {
       const std::uint32_t id = order_[leaf.first + i];
-      solids_.prepare(to_double(ray)).for_each_crossing(solids_[id], [&](const Crossing& crossing) {
-        goes_on = goes_on && see(id, crossing);
-      });
+      SolidEvaluator<level, Probe> evaluator(solids_[id], ray.ready(), probe_);
+      const SpanList list = evaluator.spans();
+      for (const Boundary& boundary : evaluator[list]) goes_on = goes_on && see(id, crossing_of(boundary));
     }
   }
 
  private:
   template <class T, class See>
-  bool see_first(std::uint32_t id, const Ray<T>& ray, T far, See& see) const {
-    const Ray<double> wide = to_double(ray);
-    SolidEvaluator<level, Probe> evaluator(solids_[id], wide, probe_);
-    double t_min = wide.t_min;
+  bool see_first(std::uint32_t id, PreparedRay<T>& ray, T far, See& see) const {
+    SolidEvaluator<level, Probe> evaluator(solids_[id], ray.ready(), probe_);
+    double t_min = ray.ray().t_min;
     while (const auto boundary = evaluator.first(t_min, far)) {
       // Rounded to the ray's precision it may not be behind t_min any more.
-      if (static_cast<T>(boundary->t) > ray.t_min) return see(id, crossing_of(*boundary));
+      if (static_cast<T>(boundary->t) > ray.ray().t_min) return see(id, crossing_of(*boundary));
       t_min = boundary->t;
     }
     return true;

@@ -30,14 +30,21 @@ class FramedRay {
   const Ray<double>& ray() const { return *ray_; }
   const Frame* frame() const { return frame_; }
 
-  /// The line in the frame, computed in N: exact where N is.
+  /// The line in the world.
   template <class N>
-  Line<N> in() const {
+  Line<N> in_world() const {
     Line<N> world;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       world.origin[axis] = N(ray_->origin[static_cast<int>(axis)]);
       world.direction[axis] = N(ray_->direction[static_cast<int>(axis)]);
     }
+    return world;
+  }
+
+  /// The line in the frame, computed in N: exact where N is.
+  template <class N>
+  Line<N> in() const {
+    const Line<N> world = in_world<N>();
     if (!frame_) return world;
     Line<N> local;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -1,0 +1,169 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+
+#include "bench/command_line.h"
+#include "bench/solids/run.h"
+#include "bench/text_table.h"
+#include "sightline/io/output_file.h"
+#include "sightline/query/tracer.h"
+
+namespace sightline::bench {
+namespace {
+
+constexpr std::string_view introduction_text =
+    R"(Measures solids: how long pictures of a widget, of 64 widgets, and of a box less 1 to
+256 spheres take, beside POV-Ray where that is installed (apt-get install povray).
+
+Pictures are verified before the first time is shown: all levels and lines against
+brute force without any switch, and POV-Ray's against ours, pixel by pixel.
+)";
+
+constexpr std::string_view reading_text = R"(
+Examples:
+  sightline-bench solids --quick                   a first impression
+  sightline-bench solids --precision fast,watertight,precise,exact
+  sightline-bench solids --ablation --scene widget what each switch spares
+  sightline-bench solids --accel kd-tree --set solid.index_from=64
+
+Exit code: 0; 1 when a file cannot be written or pictures are wrong; 2 when the
+command line is.
+)";
+
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names;
+  for (const SolidScene& scene : solid_scenes(4, 3)) names.push_back(scene.name);
+  return names;
+}
+
+std::string option_list() {
+  std::string text = "\nOptions of solids, for --set:\n";
+  for (const auto& field : SolidOptions::fields()) {
+    text += "  solid." + std::string(field.name) + "\n      " + std::string(field.help) + '\n';
+  }
+  return text;
+}
+
+std::vector<Level> parse_levels(const std::vector<std::string>& names) {
+  std::vector<Level> levels;
+  for (const std::string& name : names) {
+    const auto info =
+        std::find_if(level_infos.begin(), level_infos.end(), [&](const auto& i) { return i.name == name; });
+    if (info == level_infos.end())
+      throw UsageError("unknown level '" + name + "'; expected some of fast, watertight, precise, exact");
+    if (std::find(levels.begin(), levels.end(), info->level) != levels.end())
+      throw UsageError("--precision names " + name + " twice");
+    levels.push_back(info->level);
+  }
+  return levels;
+}
+
+void apply_setting(SolidOptions& options, const std::string& text) {
+  constexpr std::string_view prefix = "solid.";
+  const std::size_t sign = text.find('=');
+  if (!text.starts_with(prefix) || sign == std::string::npos)
+    throw UsageError("--set " + text + ": expected solid.OPTION=VALUE");
+  set_option("solid", options, text.substr(prefix.size(), sign - prefix.size()), text.substr(sign + 1));
+}
+
+void require_known(const std::string& flag, const std::string& name, const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    throw UsageError("unknown " + flag + " '" + name + "'; expected one of " + joined(known));
+}
+
+void print(const std::string& text) {
+  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
+    throw std::runtime_error("standard output cannot be written");
+}
+
+/// \throws UsageError, std::invalid_argument. Returns what is to be printed, and nothing else done, when not empty.
+std::string parse(int argc, const char* const* argv, SolidPlan& plan) {
+  CLI::App app{std::string(introduction_text), "sightline-bench solids"};
+  app.get_formatter()->column_width(30);
+  std::vector<std::string> levels, settings;
+  std::string peer = "povray";
+  bool is_quick = false;
+  app.add_option("--scene", plan.scenes, "Some of the scenes, repeatable (all): " + joined(scene_names()))
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  app.add_option("--precision", levels, "Levels side by side: fast, watertight, precise, exact (watertight)")
+      ->type_name("LEVELS")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_flag("--ablation", plan.is_ablation, "Beside them, each switch of solids off in turn, and all");
+  app.add_option("--set", settings, "An option of solids; repeatable")
+      ->type_name("solid.OPTION=VALUE")
+      ->allow_extra_args(false);
+  app.add_option("--accel", plan.accelerator, "Structure over solids and operands (none for one solid; box-tree)")
+      ->type_name("NAME");
+  app.add_option("--peer", peer, "povray, or none (povray, where it is installed)")->type_name("NAME");
+  auto* const rounds =
+      app.add_option("--rounds", plan.rounds, "Rounds of painting everything once, 1 to 1000 (9; quick 3)")
+          ->type_name("N")
+          ->check(CLI::Range(1, 1000));
+  app.add_flag("--quick", is_quick, "Pictures of a quarter of the size, fewer rounds");
+  app.add_option("--json", plan.json, "Writes everything that was measured into FILE")->type_name("FILE");
+  app.add_option("--self-check", plan.spoiled, "Makes one pixel of line NAME wrong: the run has to refuse")
+      ->type_name("NAME");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return app.help() + option_list() + std::string(reading_text);
+  } catch (const CLI::ParseError& error) {
+    std::string text = error.what();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    throw UsageError(text);
+  }
+  if (is_quick) {
+    plan.width /= 2, plan.height /= 2;
+    if (rounds->count() == 0) plan.rounds = 3;
+    plan.row_seconds = 2;
+    plan.reference_step = 32;
+  }
+  for (const std::string& name : plan.scenes) require_known("scene", name, scene_names());
+  require_known("peer", peer, {"povray", "none"});
+  plan.has_povray = peer == "povray";
+  if (!plan.accelerator.empty()) {
+    std::vector<std::string> names;
+    for (const AcceleratorInfo& info : accelerator_infos()) names.emplace_back(info.name);
+    require_known("accelerator", plan.accelerator, names);
+  }
+  if (!levels.empty()) plan.levels = parse_levels(levels);
+  try {
+    for (const std::string& text : settings) apply_setting(plan.options, text);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+  if (plan.json == "-") throw UsageError("--json takes a file; standard output has the table");
+  if (!plan.spoiled.empty()) {
+    std::vector<std::string> names;
+    for (const SolidAsking& asking : askings_of(plan)) names.push_back(asking.name);
+    require_known("line", plan.spoiled, names);
+  }
+  return {};
+}
+
+}  // namespace
+
+int run_solids_command(int argc, const char* const* argv) {
+  SolidPlan plan;
+  const std::string help = parse(argc, argv, plan);
+  if (!help.empty()) {
+    print(help);
+    return 0;
+  }
+  if (!plan.json.empty()) OutputFile{plan.json};  // refuses now what could not be written at the end
+  Progress progress;
+  bool is_first = true;
+  const SolidReport report = run_solids(plan, progress, [&](const SolidReport& so_far, const SolidSceneReport& scene) {
+    if (is_first) print(head_text(so_far));
+    is_first = false;
+    print('\n' + table_text(so_far, scene));
+  });
+  const std::string growth = growth_text(report);
+  if (!growth.empty()) print('\n' + growth);
+  if (!plan.json.empty()) write_text(plan.json, json_text(report));
+  return 0;
+}
+
+}  // namespace sightline::bench

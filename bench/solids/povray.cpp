@@ -1,0 +1,131 @@
+#include "bench/solids/povray.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "bench/solids/povray_text.h"
+
+extern char** environ;  // NOLINT: as POSIX has it
+
+namespace sightline::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// All that the program prints goes to a file. Its exit code; 127 where there is no such program.
+int run_program(std::vector<std::string> words, const fs::path& log) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  posix_spawn_file_actions_adddup2(&actions, 1, 2);
+  pid_t process = 0;
+  const int failure = posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure != 0) return 127;
+  int status = 0;
+  if (waitpid(process, &status, 0) != process || !WIFEXITED(status)) return 126;
+  return WEXITSTATUS(status);
+}
+
+/// The number behind the first `before` that comes after the first `start`.
+double number_in(const std::string& text, std::string_view start, std::string_view before) {
+  const std::size_t from = text.find(start);
+  const std::size_t at = from == std::string::npos ? from : text.find(before, from);
+  double number = 0;
+  if (at == std::string::npos ||
+      std::from_chars(text.data() + at + before.size(), text.data() + text.size(), number).ec != std::errc()) {
+    throw std::runtime_error("expected '" + std::string(start) + "' in POV-Ray's statistics, found none");
+  }
+  return number;
+}
+
+/// Binary PPM with two bytes a channel, of which all are the same; the header may have comments.
+Picture picture_of(const std::string& bytes) {
+  std::istringstream in(bytes);
+  const auto next = [&] {
+    std::string word;
+    while (in >> word && word.front() == '#') in.ignore(static_cast<std::streamsize>(bytes.size()), '\n');
+    return word;
+  };
+  const bool is_ppm = next() == "P6";
+  const int width = std::atoi(next().c_str()), height = std::atoi(next().c_str()), most = std::atoi(next().c_str());
+  in.get();
+  const auto begin = static_cast<std::size_t>(in.tellg());
+  Picture picture(width, height);
+  if (!is_ppm || most != 65535 || bytes.size() != begin + 6 * picture.size())
+    throw std::runtime_error("expected a PPM with 16 bits a channel from POV-Ray, found something else");
+  for (std::size_t i = 0; i < picture.size(); ++i) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(bytes[begin + 6 * i + k]); };
+    picture.shades[i] = static_cast<float>(256 * byte(0) + byte(1)) / 65535.0f;
+  }
+  return picture;
+}
+
+}  // namespace
+
+std::optional<Povray> Povray::find() {
+  Povray povray;
+  std::string pattern = (fs::temp_directory_path() / "sightline-povray-XXXXXX").string();
+  if (!mkdtemp(pattern.data())) throw std::runtime_error("no folder for POV-Ray's files can be made in " + pattern);
+  povray.folder_ = pattern;
+  const fs::path log = povray.folder_ / "log";
+  if (run_program({"povray", "--version"}, log) == 127) return std::nullopt;
+  std::istringstream lines(text_of(log));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("POV-Ray ")) povray.version_ = line.substr(8);
+  }
+  if (povray.version_.empty()) return std::nullopt;
+  return povray;
+}
+
+Povray::~Povray() {
+  std::error_code ignored;
+  if (!folder_.empty()) fs::remove_all(folder_, ignored);
+}
+
+Povray::Povray(Povray&& other) noexcept : folder_(std::move(other.folder_)), version_(std::move(other.version_)) {
+  other.folder_.clear();
+}
+
+std::string Povray::run(const SolidScene& scene, const std::string& output) {
+  const fs::path source = folder_ / "scene.pov", log = folder_ / "log";
+  std::ofstream(source) << povray_text(scene);
+  std::vector<std::string> words{"povray", "+I" + source.string(), "+W" + std::to_string(scene.camera.width),
+                                 "+H" + std::to_string(scene.camera.height), "File_Gamma=1.0"};
+  std::istringstream options(std::string(povray_options) + ' ' + output);
+  for (std::string word; options >> word;) words.push_back(word);
+  const int code = run_program(words, log);
+  std::string text = text_of(log);
+  if (code != 0) throw std::runtime_error("POV-Ray failed with exit code " + std::to_string(code) + ":\n" + text);
+  return text;
+}
+
+Picture Povray::paint(const SolidScene& scene) {
+  const fs::path picture = folder_ / "picture.ppm";
+  run(scene, "+FP16 +O" + picture.string());
+  return picture_of(text_of(picture));
+}
+
+Povray::TraceTime Povray::trace(const SolidScene& scene) {
+  const std::string text = run(scene, "-F");
+  return {number_in(text, "Trace Time", "thread(s) with "), number_in(text, "Trace Time", "(")};
+}
+
+}  // namespace sightline::bench

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "bench/solids/picture.h"
+#include "bench/solids/scene.h"
+
+namespace sightline::bench {
+
+/// POV-Ray as a program of this machine, given one scene after the other. The files that it reads and writes are in a
+/// folder of their own, which goes with this object.
+class Povray {
+ public:
+  /// Nothing where there is no program `povray` in PATH.
+  static std::optional<Povray> find();
+  ~Povray();
+  Povray(Povray&& other) noexcept;
+  Povray& operator=(Povray&&) = delete;
+
+  const std::string& version() const { return version_; }
+
+  /// Traces a scene into a picture.
+  /// \throws std::runtime_error with what POV-Ray says where it fails.
+  Picture paint(const SolidScene& scene);
+
+  /// What POV-Ray says of its tracing: seconds of the processor that its one thread took, and between begin and end on
+  /// the wall ("Trace Time"). Both are multiples of 0.001.
+  struct TraceTime {
+    double processor, elapsed;
+  };
+  /// No picture is written.
+  TraceTime trace(const SolidScene& scene);
+
+ private:
+  Povray() = default;
+  std::string run(const SolidScene& scene, const std::string& output);
+
+  std::filesystem::path folder_;
+  std::string version_;
+};
+
+/// The options that it is run with, for reports: one thread, no display, no antialiasing, full quality.
+inline constexpr std::string_view povray_options = "+WT1 -D -A -V +Q9";
+
+}  // namespace sightline::bench
