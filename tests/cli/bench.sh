@@ -111,4 +111,18 @@ expect_exit 1
 expect_one_line
 expect_says kd-tree
 expect_no_file
+# Solids: painted, verified, and refused where a pixel is wrong.
+solids=("$bench" solids --quick --scene cheese:4 --peer none --rounds 1)
+run "${solids[@]}" --precision fast,watertight --json solids.json
+expect_exit 0
+for word in cheese:4 watertight fast; do expect_prints "$word"; done
+expect_file solids.json
+run "${solids[@]}" --self-check watertight
+expect_exit 1
+refuses 2 cheese:256 "$bench" solids --scene no-such-scene # the message lists what there is
+refuses 2 watertight "$bench" solids --precision no-such-level
+refuses 2 no-such-option "$bench" solids --set solid.no-such-option=1
+refuses 2 no-such-tree "${solids[@]}" --accel no-such-tree
+refuses 2 povray "$bench" solids --peer no-such-peer
+refuses 2 rounds "$bench" solids --rounds 0
 finish
