@@ -8,6 +8,7 @@
 #include "sightline/io/progress.h"
 #include "sightline/scene/scenes.h"
 #include "viz/cell_export.h"
+#include "viz/csg_command.h"
 #include "viz/partition_window.h"
 #include "viz/structure.h"
 #include "viz/view_options.h"
@@ -18,7 +19,7 @@ namespace {
 
 constexpr int success = 0, failure = 1, wrong_usage = 2;
 
-constexpr const char* about = R"(Draws how a structure divides space, or lists what there is to draw.
+constexpr const char* about = R"(Draws how a structure divides space, and what a ray makes of a solid.
 
 Examples
   sightline-view list
@@ -32,6 +33,8 @@ Examples
       the cells that the middle plane cuts, and their sections
   sightline-view partitions --accel kd-tree --scene teapot --leaves --set kd-tree.max_leaf_size=16 --out leaves.vtp
       the leaves of a coarser tree as data, for ParaView
+  sightline-view csg --solid widget --out widget.png
+      a ray's interval ladder through a solid: see csg --help
 
 Exit status: 0 done, 1 failure, 2 wrong usage.)";
 
@@ -137,6 +140,7 @@ int run(int argc, char** argv) {
   app.add_option("--data", arguments.data, "Folder of scene data")->option_text("DIR");
   CLI::App* listing = app.add_subcommand("list", "The accelerators with their options, and the scenes");
   CLI::App* command = app.add_subcommand("partitions", "The cells of a structure over the mesh");
+  CsgCommand csg(app);
   command->fallthrough();
   listing->fallthrough();
   command->add_option("--accel", arguments.accelerator, "The structure, see --list; default kd-tree")
@@ -180,13 +184,14 @@ int run(int argc, char** argv) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
     const std::string first = argc > 1 ? argv[1] : "-";
-    if (first[0] != '-' && first != "partitions" && first != "list") {
-      throw UsageError("unknown subcommand '" + first + "'; expected partitions or list (see --help)");
+    if (first[0] != '-' && first != "partitions" && first != "csg" && first != "list") {
+      throw UsageError("unknown subcommand '" + first + "'; expected partitions, csg or list (see --help)");
     }
     throw UsageError(std::string(error.what()) + " (see --help)");
   }
   if (is_list || listing->parsed()) return list();
-  if (!command->parsed()) throw UsageError("expected a subcommand: partitions or list (see --help)");
+  if (csg.is_chosen()) return csg.run();
+  if (!command->parsed()) throw UsageError("expected a subcommand: partitions, csg or list (see --help)");
   return show_partitions(arguments, *command);
 }
 

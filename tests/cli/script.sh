@@ -8,7 +8,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
 run "$root/sightline" help
 expect_exit 0
 expect_quiet
-for name in tour test bench view doctor help; do expect_prints "  $name "; done
+for name in tour test bench view probe doctor help; do expect_prints "  $name "; done
 run "$root/sightline" --help
 expect_exit 0
 run "$root/sightline"
@@ -82,6 +82,11 @@ for name in tour bench view; do
     check 'one help only' test "$(grep -c usage: "$scratch/stdout")" = 1
   done
 done
+on_machine "$house/sightline" probe --help
+expect_exit 0
+expect_one_line
+expect_prints 'usage: ./sightline probe'
+expect_prints --precision
 check 'nothing built' test ! -e "$house/build"
 
 replace id 'echo 1000'

@@ -24,6 +24,14 @@ run "$view" --list
 expect_exit 0
 check 'the same as list' cmp -s "$scratch/list" "$scratch/stdout"
 
+run "$view" csg --help
+expect_exit 0
+expect_quiet
+for word in --solid --ray --pick --precision --accel --out Examples hit; do expect_prints "$word"; done
+run "$view" csg --list
+expect_exit 0
+for word in widget lens menger:2 not-a-sphere FILE.json; do expect_prints "$word"; done
+
 refuses 2 help "$view"
 refuses 2 subcommand "$view"
 refuses 2 subcommand "$view" nothing
@@ -73,4 +81,59 @@ expect_file default.vtp
 run "$view" partitions --accel bih:lazy=true --scene soup:200 --out lazy.vtp
 expect_exit 0
 expect_file lazy.vtp
+
+csg=("$view" csg --solid lens)
+refuses 2 six "${csg[@]}" --ray 1,2,3 --out a.json
+refuses 2 six "${csg[@]}" --ray '' --out a.json
+refuses 2 finite "${csg[@]}" --ray 0,0,0,nan,0,1 --out a.json
+refuses 2 finite "${csg[@]}" --ray inf,0,0,1,0,0 --out a.json
+refuses 2 finite "${csg[@]}" --ray 0,0,0,1,0,0x --out a.json
+refuses 2 'not zero' "${csg[@]}" --ray 1,2,3,0,0,0 --out a.json
+refuses 2 '2^-500' "${csg[@]}" --ray 1,2,3,0,1e-200,0 --out a.json
+refuses 2 pixel "${csg[@]}" --pick 5 --out a.json
+refuses 2 'X from 28 to' "${csg[@]}" --pick 1599,450 --out a.json
+refuses 2 'X from 28 to' "${csg[@]}" --pick 27,450 --out a.json
+refuses 2 pixel "${csg[@]}" --pick 300.5,450 --out a.json
+refuses 2 pixel "${csg[@]}" --pick -3,nan --out a.json
+refuses 2 excludes "${csg[@]}" --pick 300,450 --ray 0,0,0,1,0,0 --out a.json
+refuses 2 watertight "${csg[@]}" --precision double --out a.json
+refuses 2 octopus "${csg[@]}" --accel octopus --out a.json
+refuses 2 'name alone' "${csg[@]}" --accel kd-tree:max_leaf_size=4 --out a.json
+refuses 2 'at least 800x450' "${csg[@]}" --size 640x480 --out a.png
+refuses 2 a.vtp "${csg[@]}" --out a.vtp
+refuses 2 not-a-sphere "$view" csg --solid octopus --out a.json # lists what there is
+refuses 2 'from 1 to 4' "$view" csg --solid menger:9 --out a.json
+refuses 2 'no size' "$view" csg --solid lens:2 --out a.json
+refuses 1 no-such.json "$view" csg --solid no-such.json --out a.json
+refuses 1 /dev/null "${csg[@]}" --out /dev/null/a.png
+printf '{"op":"diff",\n"args":[' >"$scratch/broken.json"
+refuses 1 broken.json:2 "$view" csg --solid "$scratch/broken.json" --out a.json
+printf '{"op":"diff","args":[{"prim":"sphere","c":[0,0,0],"r":1},{"prim":"box","lo":[0,0]}]}' >"$scratch/short.json"
+refuses 1 /args/1 "$view" csg --solid "$scratch/short.json" --out a.json
+printf '{"op":"minus","args":[]}' >"$scratch/op.json"
+refuses 1 /op "$view" csg --solid "$scratch/op.json" --out a.json
+printf '{"prim":"sphere","c":[0,0,0],"r":-1}' >"$scratch/negative.json"
+refuses 1 negative.json "$view" csg --solid "$scratch/negative.json" --out a.json
+
+for level in fast watertight precise exact; do
+  run "${csg[@]}" --ray -2.25,0.25,0,1,0,0 --precision "$level" --accel kd-tree --out a.json
+  expect_exit 0
+  expect_quiet
+  expect_file a.json
+  expect_prints 'wasInA isInA wasInB isInB'
+  expect_prints "precision  $level"
+done
+expect_prints '0.7817541634481457      0      1     0      0      discarded  sphere red (0)'
+expect_prints 'hit'
+run "${csg[@]}" --ray 0,5,0,1,0,0 --out a.json
+expect_exit 0
+expect_prints none
+printf '{"op":"compl","args":[{"prim":"half","n":[0,0,1],"w":0,"material":"unheard-of"}]}' >"$scratch/half.json"
+run "$view" csg --solid "$scratch/half.json" --ray 0,0,-1,0,0,2 --out a.png --out a.json --size 800x450
+expect_exit 0
+expect_prints '[0.5, inf]'
+expect_file a.png
+expect_file a.json
+run "$view" csg --solid swiss-cheese:40 --pick 300,450 --out a.json
+expect_exit 0
 finish

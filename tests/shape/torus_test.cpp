@@ -63,7 +63,7 @@ void expect_exact(const Torus& torus, const Ray<double>& ray, bool* is_precise =
   if (precise.is_certain) {
     ASSERT_EQ(precise.count, exact.count);
     for (std::size_t i = 0; i < static_cast<std::size_t>(exact.count); ++i) {
-      ASSERT_EQ(exact.roots[i].multiplicity, 1);
+      ASSERT_EQ(exact.roots[i].multiplicity, precise.roots[i].multiplicity);
       ASSERT_LE(std::fabs(exact.roots[i].t - precise.roots[i].t), precise.roots[i].radius + exact.roots[i].radius);
     }
   }
@@ -205,6 +205,36 @@ TEST(Torus, CountsNearTangentRoots) {
   }
   EXPECT_GT(precise, 1500);
   EXPECT_GT(uncertain, 500);
+}
+
+TEST(Torus, KnowsAllScales) {
+  Generated random;
+  for (int round = 0; round < 300; ++round) {
+    const Torus torus{random.vector(), random.vector(), 1, 0.4};
+    const Ray<double> ray{torus.center + 3.0 * random.vector(), random.vector()};
+    const double by = std::ldexp(1.0, random.pick(-900, 900)), speed = std::ldexp(1.0, random.pick(-90, 90));
+    const Torus scaled{by * torus.center, std::ldexp(1.0, random.pick(-900, 900)) * torus.axis, by * 1, by * 0.4};
+    const Ray<double> scaled_ray{by * ray.origin, by * speed * ray.direction};
+    for (const Level level : {Level::fast, Level::watertight, Level::precise, Level::exact}) {
+      const RootList one = torus_roots(torus, ray, level), other = torus_roots(scaled, scaled_ray, level);
+      ASSERT_EQ(one.count, other.count) << round << " at level " << info_of(level).name << ", scale " << by;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(one.count); ++i) {
+        const double unit = level == Level::fast ? 0x1p-10 : 0x1p-40;
+        ASSERT_NEAR(one.roots[i].t, other.roots[i].t * speed, unit * (1 + std::fabs(one.roots[i].t)));
+      }
+    }
+  }
+}
+
+TEST(Torus, IsNotMetByRaysThatAreNone) {
+  const Torus torus{Vec3d(0), z, 2, 1};
+  const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+  for (const Level level : {Level::fast, Level::watertight, Level::precise, Level::exact}) {
+    EXPECT_EQ(torus_roots(torus, {{2, 0, 0}, {0, 0, 0}}, level).count, 0);
+    EXPECT_EQ(torus_roots(torus, {{nan, 0, 0}, {0, 0, 1}}, level).count, 0);
+    EXPECT_EQ(torus_roots(torus, {{2, 0, 0}, {0, infinity, 1}}, level).count, 0);
+    EXPECT_EQ(torus_roots(torus, {{-0x1p200, 2, 0}, {1, 0, 0}}, level).count, 2);  // rounded to the same double
+  }
 }
 
 TEST(Torus, BoundsAreTightAndOutward) {

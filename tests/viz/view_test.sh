@@ -78,6 +78,19 @@ if command -v Xvfb >/dev/null; then
   cmp -s "$folder/kd.png" "$folder/again.png" || fail "the same picture twice differs"
   DISPLAY=:9999 "$view" "${cell[@]}" --slice y=0.4 --size 640x480 --out "$folder/cut.png" 2>"$folder/log" ||
     fail "a picture with a dead display: $(cat "$folder/log")"
+  env -u DISPLAY "$view" csg --solid lens --size 800x450 --out "$folder/lens.png" >"$folder/lens.txt" 2>"$folder/log" ||
+    fail "lens.png: $(cat "$folder/log")"
+  env -u DISPLAY "$view" csg --solid nothing --size 800x450 --out "$folder/nothing.png" >/dev/null 2>&1
+  env -u DISPLAY "$view" csg --solid lens --size 800x450 --out "$folder/again.png" >/dev/null 2>&1
+  cmp -s "$folder/lens.png" "$folder/again.png" || fail "the same ladder twice differs"
+  [ "$(head -c 8 "$folder/lens.png" | od -An -tx1 | tr -d ' ')" = 89504e470d0a1a0a ] || fail "lens.png is no PNG"
+  [ "$(wc -c <"$folder/lens.png")" -gt 30000 ] || fail "lens.png has only $(wc -c <"$folder/lens.png") bytes"
+  cmp -s "$folder/lens.png" "$folder/nothing.png" && fail "lens and nothing look the same"
+  # A ray through a pixel of the picture hits what is shown there, and nothing beside it.
+  "$view" csg --solid lens --size 800x450 --pick 150,225 --out "$folder/pick.json" | grep -q '^material   \(red\|blue\)' ||
+    fail "a pick in the middle misses"
+  "$view" csg --solid lens --size 800x450 --pick 20,60 --out "$folder/pick.json" | grep -q '^none' ||
+    fail "a pick in the corner hits"
   for signal in INT TERM KILL; do
     # A job of its own, so that SIGINT is not ignored as in background jobs of scripts.
     env -u DISPLAY env --default-signal "$view" partitions --accel brute-force --scene soup:300000 --out "$folder/x.png" 2>/dev/null &
@@ -98,6 +111,10 @@ if command -v Xvfb >/dev/null; then
   done
 fi
 
+# A table needs no display, and says so when it is all there is
+env -u DISPLAY "$view" csg --solid widget >"$folder/stdout" 2>"$folder/stderr" || fail "a table without a display"
+grep -q 'wasInA isInA wasInB isInB' "$folder/stdout" || fail "no booleans in the table"
+grep -q 'no display' "$folder/stderr" || fail "a missing window is not told"
 "$view" --help | grep -q "Examples" || fail "--help has no examples"
 "$view" partitions --help | grep -q -- "--slice" || fail "partitions --help does not tell --slice"
 [ $failures -eq 0 ] && echo "all hold"

@@ -266,7 +266,7 @@ class SolidEvaluator {
   // ---- What is reported (V3)
 
   Boundary refined(const Boundary& boundary) const {
-    if (is_accurate<level>(boundary.t, boundary.radius)) [[likely]]
+    if (is_accurate(boundary.t, boundary.radius, level)) [[likely]]
       return boundary;
     return refined_apart(boundary);
   }

@@ -2,7 +2,6 @@
 /// Where a line crosses a face, as accurately as a level asks for.
 
 #include "sightline/csg/settle.h"
-#include "sightline/math/level.h"
 #include "sightline/math/quadratic.h"
 #include "sightline/math/quartic.h"
 #include "sightline/math/sized_double.h"
@@ -37,27 +36,6 @@ RootList roots_of(const solid::QuadraticForm<N>& form) {
 
 }  // namespace detail
 
-/// Whether a level asks for no more than what is known of a root; of the exact one that does not tell.
-template <Level level>
-bool is_accurate(double t, double radius) {
-  constexpr double share = level == Level::watertight ? 0x1p-40 : 0x1p-52;
-  return level == Level::fast || (level != Level::exact && radius <= share * std::fabs(t));
-}
-
-namespace detail {
-
-template <Level level>
-bool are_accurate(const RootList& list) {
-  bool is_all = list.is_certain;
-  for (int i = 0; i < list.count; ++i) {
-    const Root& root = list.roots[static_cast<std::size_t>(i)];
-    is_all &= is_accurate<level>(root.t, root.radius);
-  }
-  return is_all;
-}
-
-}  // namespace detail
-
 /// Levels above fast are certain of number, order and multiplicities, and t is off by less than 2^-40 of itself
 /// (watertight), by less than its last place (precise), or correctly rounded (exact).
 template <Level level, class S>
@@ -65,11 +43,13 @@ RootList face_roots(const S& surface, const LocalRay<level>& ray) {
   if constexpr (std::is_same_v<S, solid::Torus>) {
     if (level != Level::fast) return certain_roots(surface, ray, level);
     if (!ray.frame()) return torus_roots(surface, ray.ray(), level);
-    return quartic_roots(polynomial(surface, ray.line()));
+    const Line<double> line = ray.template in<double>();
+    const auto vector = [](const std::array<double, 3>& v) { return Vec3d(v[0], v[1], v[2]); };
+    return torus_roots(surface, {vector(line.origin), vector(line.direction)}, level);
   } else {
     const RootList list = detail::roots_of(solid::form_of(surface, ray.line()));
     if constexpr (level == Level::fast) return list;
-    if (level != Level::exact && detail::are_accurate<level>(list)) [[likely]]
+    if (level != Level::exact && is_accurate(list, level)) [[likely]]
       return list;
     return settled_roots(surface, ray, level);
   }

@@ -96,7 +96,8 @@ RootList certain_roots(const Torus& torus, const FramedRay& ray, Level level) {
 }
 
 RootList settled_roots(const Surface& surface, const FramedRay& ray, Level level) {
-  if (const auto wide = wide_roots(surface, ray); wide && (level != Level::exact || are_rounded(*wide))) return *wide;
+  const auto wide = wide_roots(surface, ray);
+  if (wide && (level == Level::exact ? are_rounded(*wide) : is_accurate(*wide, level))) return *wide;
   return exact_roots(surface, ray);
 }
 

@@ -2,14 +2,30 @@
 /// What doubles and their bounds could not tell: some hundred bits, then exact algebra. Rarely reached, and so compiled
 /// apart.
 
+#include <cmath>
+
 #include "sightline/csg/primitive.h"
 #include "sightline/math/level.h"
 #include "sightline/math/root_list.h"
 
 namespace sightline {
 
-/// Roots of a surface's polynomial along a ray: number, order and multiplicities are certain. At level exact each t is
-/// correctly rounded.
+/// Whether as much is known of t as a level below exact asks for: to a part of itself. Exactly rounded it may not be.
+inline bool is_accurate(double t, double radius, Level level) {
+  const double share = level == Level::watertight ? 0x1p-40 : 0x1p-52;
+  return level == Level::fast || (level != Level::exact && radius <= share * std::fabs(t));
+}
+inline bool is_accurate(const RootList& list, Level level) {
+  if (!list.is_certain) return false;
+  for (int i = 0; i < list.count; ++i) {
+    const Root& root = list.roots[static_cast<std::size_t>(i)];
+    if (!is_accurate(root.t, root.radius, level)) return false;
+  }
+  return true;
+}
+
+/// Roots of a surface's polynomial along a ray: number, order and multiplicities are certain. Each t is as accurate as
+/// the level asks for, at level exact correctly rounded.
 RootList settled_roots(const Surface& surface, const FramedRay& ray, Level level);
 
 /// The same of a torus, from doubles on, at any level but fast.

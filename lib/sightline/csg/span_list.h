@@ -64,7 +64,7 @@ void for_each_span(std::span<const Boundary> boundaries, bool begins_inside, See
     enter = &boundary;
     is_inside = !is_inside;
   }
-  if (is_inside) see(enter ? enter->t : -infinity, infinity, enter, nullptr);
+  if (is_inside) see(enter ? enter->t : -infinity, infinity, enter, static_cast<const Boundary*>(nullptr));
 }
 
 }  // namespace sightline

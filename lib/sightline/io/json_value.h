@@ -14,8 +14,35 @@
 
 namespace sightline {
 
+/// Arrays and objects within each other, more than any document needs: what walks one calls itself as often.
+inline constexpr int deepest_json = 1000;
+
+/// Where a text nests deeper, or its size.
+inline std::size_t too_deep_at(std::string_view text) {
+  int depth = 0;
+  bool is_text = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (is_text) {
+      if (c == '\\') ++i;
+      is_text = c != '"';
+    } else if (c == '"') {
+      is_text = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > deepest_json) return i;
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return text.size();
+}
+
 /// Throws FileError with the line.
 inline nlohmann::json parse_json(const std::filesystem::path& path, std::string_view text) {
+  if (const std::size_t at = too_deep_at(text); at < text.size()) {
+    throw FileError(path, 0, "at most " + std::to_string(deepest_json) + " arrays and objects within each other",
+                    "more at byte " + std::to_string(at + 1));
+  }
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
@@ -35,6 +62,9 @@ class JsonValue {
       : path_(&path), json_(&json), place_(std::move(place)) {}
 
   const std::string& place() const { return place_; }
+  /// The same behind the document's file.
+  std::string where() const { return path_->string() + ":" + (place_.empty() ? "/" : place_); }
+  bool is_array() const { return json_->is_array(); }
 
   std::optional<JsonValue> find(const char* name) const {
     if (!json_->is_object()) fail("an object");
@@ -75,6 +105,10 @@ class JsonValue {
     if (!(value - value == 0)) fail("a number that is finite as a float");
     return value;
   }
+  double real() const {
+    if (!json_->is_number()) fail("a number");
+    return json_->get<double>();  // JSON has no others than finite ones
+  }
   const std::string& text() const {
     if (!json_->is_string()) fail("a string");
     return json_->get_ref<const std::string&>();
@@ -84,7 +118,7 @@ class JsonValue {
     fail(expected, json_->dump(-1, ' ', true, nlohmann::json::error_handler_t::replace).substr(0, 40));
   }
   [[noreturn]] void fail(const std::string& expected, const std::string& found) const {
-    throw FileError(path_->string() + ":" + (place_.empty() ? "/" : place_), 0, expected, found);
+    throw FileError(where(), 0, expected, found);
   }
 
  private:

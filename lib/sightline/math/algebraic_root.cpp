@@ -39,10 +39,50 @@ bool AlgebraicRoot::cut_at(const Dyadic& x) {
   return sign == sign_below_;
 }
 
+/// Cuts around where doubles find the root, once: that spares most of the first, small refinements. What they find only
+/// guides; the cuts are exact.
+void AlgebraicRoot::jump() {
+  cut_bits_ = 1;
+  const int exponent = static_cast<int>(std::max(lo_.floor_log2(), hi_.floor_log2()));
+  if (std::abs(exponent) > 900) return;
+  // In units of 2^exponent and of the largest term there.
+  std::vector<double> c(factor_->size());
+  std::vector<long> exponents(c.size());
+  long largest = std::numeric_limits<long>::min();
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    c[i] = mpz_get_d_2exp(&exponents[i], (*factor_)[i].get_mpz_t());
+    exponents[i] += static_cast<long>(i) * exponent;
+    if (c[i] != 0) largest = std::max(largest, exponents[i]);
+  }
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    c[i] = std::ldexp(c[i], static_cast<int>(std::max(exponents[i] - largest, -1100L)));
+  }
+  double lo = lo_.scaled(-exponent).nearest(), hi = hi_.scaled(-exponent).nearest(), x = lo + 0.5 * (hi - lo);
+  for (int round = 0; round < 100; ++round) {
+    double value = 0, slope = 0;
+    for (std::size_t i = c.size(); i-- > 0;) {
+      slope = slope * x + value;
+      value = value * x + c[i];
+    }
+    ((value > 0) == (sign_below_ > 0) ? lo : hi) = x;
+    double next = x - value / slope;
+    if (!(next > lo && next < hi)) next = lo + 0.5 * (hi - lo);
+    const bool is_near = std::fabs(next - x) <= 0x1p-44 * std::fabs(x);
+    x = next;
+    if (is_near) break;
+  }
+  for (const double side : {-1.0, 1.0}) {
+    const Dyadic near = Dyadic(x + side * 0x1p-40 * std::fabs(x)).scaled(exponent);
+    if (!is_dyadic() && lo_ < near && near < hi_) cut_at(near);
+  }
+  if (!is_dyadic() && (hi_ - lo_).floor_log2() - lo_.floor_log2() < -36) cut_bits_ = 30;
+}
+
 /// Makes the interval smaller, in the end by 2^cut_bits_ at once, which doubles each time: Abbott, "Quadratic Interval
 /// Refinement for Real Roots", 2006. Intervals of several powers of two are first halved in exponent.
 void AlgebraicRoot::refine() {
   if (is_dyadic()) return;
+  if (cut_bits_ == 0) return jump();
   const long low = lo_.floor_log2(), high = hi_.floor_log2();  // A2
   if (std::abs(high - low) > 1) {
     const Dyadic middle = Dyadic::power_of_two(low + (high - low) / 2);

@@ -44,13 +44,14 @@ class AlgebraicRoot {
   int sign_where_not_zero(const IntegerPolynomial& p);
   void refine();
   void refine_rational();
+  void jump();
   bool cut_at(const Dyadic& x);
   void become(const Dyadic& x);
 
   Factor factor_;
   Dyadic lo_, hi_;
   int sign_below_;    ///< Of the factor at lo; 0 where the root is dyadic.
-  int cut_bits_ = 1;  ///< The next refinement bets on a part 2^cut_bits_ times smaller.
+  int cut_bits_ = 0;  ///< The next refinement bets on a part 2^cut_bits_ times smaller; at first 0, for jump().
   int multiplicity_ = 1;
 };
 

@@ -72,6 +72,13 @@ inline double guarded(double x, double radius) {
   return std::isfinite(x) ? radius : std::numeric_limits<double>::infinity();
 }
 
+/// A2 for a product: parts of its radius underflow as well, wherever a factor is not exact. Only 0 itself stays 0.
+template <class A>
+double lost_by_product(const A& a, const A& b, double high) {
+  const bool is_zero = (a.size() == 0 && a.radius == 0) || (b.size() == 0 && b.radius == 0);
+  return !is_zero && (std::fabs(high) < smallest || a.radius > 0 || b.radius > 0) ? step : 0;
+}
+
 }  // namespace detail
 
 template <class M>
@@ -91,7 +98,7 @@ inline DoubleBall operator*(const DoubleBall& a, const DoubleBall& b) {
   const auto [high, low] = two_product(a.mid, b.mid);
   double radius = (std::fabs(low) + std::fabs(a.mid) * b.radius + std::fabs(b.mid) * a.radius + a.radius * b.radius) *
                   detail::widen;
-  if (std::fabs(high) < detail::smallest && a.mid != 0 && b.mid != 0) radius += detail::step;
+  radius += detail::lost_by_product(a, b, high);
   return {high, detail::guarded(high, radius)};
 }
 
@@ -107,7 +114,7 @@ inline WideBall operator*(const WideBall& a, const WideBall& b) {
   double radius = (detail::Rounding<DoubleDouble>::unit * std::fabs(product.high) + a.size() * b.radius +
                    b.size() * a.radius + a.radius * b.radius) *
                   detail::widen;
-  if (std::fabs(product.high) < detail::smallest && a.mid.high != 0 && b.mid.high != 0) radius += detail::step;
+  radius += detail::lost_by_product(a, b, product.high);
   return {product, detail::guarded(product.high, radius)};
 }
 
@@ -124,8 +131,8 @@ Ball<M> operator/(const Ball<M>& a, const Ball<M>& b) {
   const double least = b.size() * (1 - 0x1p-50) - b.radius;
   if (!(least > 0)) return {quotient, std::numeric_limits<double>::infinity()};
   constexpr double unit = detail::Rounding<M>::unit;
-  double radius = ((a.radius + high * b.radius) / least + high * unit) * (1 + 0x1p-40);
-  if (high < detail::smallest && a.middle() != 0) radius += detail::step;
+  double radius = (a.radius / least + high * (b.radius / least) + high * unit) * (1 + 0x1p-40);
+  if (high < detail::smallest && (a.middle() != 0 || a.radius > 0)) radius += detail::step;
   return {quotient, detail::guarded(high, radius)};
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -114,10 +115,11 @@ RootList quadratic_roots(const N& a, const N& b, const N& c) {
   const double size_a = std::fabs(leading_part(a)), size_b = std::fabs(leading_part(b)),
                size_c = std::fabs(leading_part(c));
   constexpr double large = std::is_same_v<N, float> ? 0x1p+62 : 0x1p+500;
-  const double most = std::max({size_a, size_b, size_c}), least = std::min(size_a, std::max(size_b, size_c));
-  if (most < large && least * large > 1) {
+  const double least = std::min(size_a, std::max(size_b, size_c));
+  const auto are_below = [&](double limit) { return size_a < limit && size_b < limit && size_c < limit; };  // no NaN
+  if (are_below(large) && least * large > 1) {
     detail::add_quadratic_roots(a, b, c, leading.value > 0, list);
-  } else if (std::isfinite(most)) {
+  } else if (are_below(std::numeric_limits<double>::infinity())) {
     const int shift = size_c == 0 ? 0 : (std::ilogb(size_c) - std::ilogb(size_a)) / 2;  // a and c alike
     const int down =
         -std::max(std::ilogb(size_c == 0 ? size_a : size_c), size_b == 0 ? INT_MIN / 2 : std::ilogb(size_b) + shift);

@@ -61,6 +61,15 @@ inline constexpr double last_place<float> = 0x1p-23;
 template <>
 inline constexpr double last_place<DoubleDouble> = 0x1p-98;
 
+/// A step of Newton's this small, relative to t, is the last: what is left is its square, and of slopes in double
+/// 2^-50.
+template <class M>
+inline constexpr double last_step = 0x1p-28;
+template <>
+inline constexpr double last_step<float> = 0x1p-13;
+template <>
+inline constexpr double last_step<DoubleDouble> = 0x1p-52;
+
 /// The root between two marks of unlike signs. Newton's steps, halving where they leave what is known to hold the root;
 /// then the smallest interval, growing by fours, whose ends have certain signs.
 template <class A, int n, class M = typename A::Number>
@@ -71,19 +80,26 @@ Cluster<M> simple_root(const BoundedPolynomial<A, n>& f, const Mark<M>& from, co
   M t = moved(is_from ? from.t : to.t, reach);
   const auto halfway = [&] { return moved(lo, 0.5 * distance(lo, hi)); };
   if (reach == 0 || !(is_less(lo, t) && is_less(t, hi))) t = halfway();
-  BoundedValue<M> at{};
+  double width = 0;  // about what t may be off by
   for (int round = 0; round < 200; ++round) {
-    at = f.at(t);
+    const BoundedValue<M> at = f.at(t);
     const double value = leading_of(at.value);
+    width = (std::fabs(value) + 2 * at.bound) / std::fabs(at.slope);
     if (std::fabs(value) <= at.bound) break;  // of what is not proven: a zero
     ((value > 0) == (from.sign > 0) ? lo : hi) = t;
     const double by = -value / at.slope;
     M next = moved(t, by);
-    if (!(is_less(lo, next) && is_less(next, hi))) {
-      if (std::fabs(by) <= last_place<M> * std::fabs(leading_of(t))) break;
-      next = halfway();
-      if (!(is_less(lo, next) && is_less(next, hi))) break;
+    const bool is_inside = is_less(lo, next) && is_less(next, hi);
+    const double share = std::fabs(by) / std::fabs(leading_of(t));
+    if (share <= last_step<M>) {
+      if (is_inside) {
+        t = next;
+        width = 2 * at.bound / std::fabs(at.slope) + std::fabs(by) * (4 * share + 0x1p-48);
+      }
+      break;
     }
+    if (!is_inside) next = halfway();
+    if (!(is_less(lo, next) && is_less(next, hi))) break;
     t = next;
   }
   if constexpr (!A::is_proven) {
@@ -91,8 +107,7 @@ Cluster<M> simple_root(const BoundedPolynomial<A, n>& f, const Mark<M>& from, co
   } else {
     lo = from.t;
     hi = to.t;
-    double width = (std::fabs(leading_of(at.value)) + 2 * at.bound) / std::fabs(at.slope) +
-                   last_place<M> * std::fabs(leading_of(t)) + underflow;
+    width += last_place<M> * std::fabs(leading_of(t)) + underflow;
     for (bool is_low = true, is_high = true; is_low || is_high; width *= 4) {
       if (!(width <= std::numeric_limits<double>::max())) break;
       if (is_low) {
@@ -177,6 +192,18 @@ double root_limit(const BoundedPolynomial<A, n>& f) {
 template <class A, int n, class M = typename A::Number>
 Clusters<M> clusters_of(const BoundedPolynomial<A, n>& f, double limit) {
   Clusters<M> found;
+  if constexpr (n == 1) {
+    const M t = -f.c[0] / f.c[1];
+    double width = 0;
+    if constexpr (A::is_proven) {
+      const BoundedValue<M> at = f.at(t);
+      const double least = std::fabs(leading_of(f.c[1])) * (1 - 0x1p-50) - f.bound[1];  // its slope
+      width = (std::fabs(leading_of(at.value)) + at.bound) / least * (1 + 0x1p-40) + underflow;
+      width += 2 * last_place<M> * std::fabs(leading_of(t));  // the rounding of the ends
+    }
+    found.add({moved(t, -width), t, moved(t, width), 1, true});
+    return found;
+  }
   const int rising = leading_of(f.c[n]) > 0 ? 1 : -1;
   Mark<M> from{moved(M{}, -limit), n % 2 == 0 ? rising : -rising, 0};
   const Mark<M> end{moved(M{}, limit), rising, 0};

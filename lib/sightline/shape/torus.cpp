@@ -115,23 +115,94 @@ RootList exact_roots(const Torus& torus, const Ray<double>& ray) {
   return list;
 }
 
-/// Rounds certain roots correctly, as far as 100 bits can; false where they cannot.
-bool round_roots(const std::array<WideBall, 5>& coefficients, const RootList& rough, double t0, RootList& list) {
-  const auto f = bounded<WideBall, 4>(coefficients);
-  list = rough;
-  for (int i = 0; i < rough.count; ++i) {
+/// x * 2^k where that is exact, as it is without underflow; else `is_exact` becomes false.
+Vec3d scaled(const Vec3d& v, int k, bool& is_exact) {
+  const Vec3d result{std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
+  is_exact = is_exact && Vec3d(std::ldexp(result.x, -k), std::ldexp(result.y, -k), std::ldexp(result.z, -k)) == v;
+  return result;
+}
+
+/// What is too large or too small by itself, in units that are powers of two. Exact where that does not help: at lines
+/// that begin 2^60 torus radii away.
+RootList rescaled_roots(const Torus& torus, const Ray<double>& ray, Level level) {
+  const double radius = torus.major + torus.minor;
+  if (!(radius > 0)) return exact_roots(torus, ray);
+  const int k = -std::ilogb(radius), m = -std::ilogb(max_norm(ray.direction)), n = -std::ilogb(max_norm(torus.axis));
+  bool is_exact = true;
+  const Vec3d radii = scaled({torus.major, torus.minor, 0}, k, is_exact);
+  const Torus unit{scaled(torus.center, k, is_exact), scaled(torus.axis, n, is_exact), radii.x, radii.y};
+  const Ray<double> unit_ray{scaled(ray.origin, k, is_exact), scaled(ray.direction, m, is_exact)};
+  if (!is_exact || !sizes_of(unit, unit_ray, leading_of(seen_from(unit, unit_ray).w)).are_moderate()) {
+    return exact_roots(torus, ray);
+  }
+  RootList list = torus_roots(unit, unit_ray, level);
+  for (int i = 0; i < list.count; ++i) {
     Root& root = list.roots[static_cast<std::size_t>(i)];
-    const int sign = i % 2 == 0 ? 1 : -1;  // positive before the first of simple roots
-    const detail::Mark<DoubleDouble> from{DoubleDouble(two_sum(root.t, -root.radius)), sign, 0};
-    const detail::Mark<DoubleDouble> to{DoubleDouble(two_sum(root.t, root.radius)), -sign, 0};
-    const auto cluster = detail::simple_root(f, from, to);
-    const DoubleDouble t = cluster.mid + DoubleDouble(t0);
-    const double width = std::max(detail::distance(cluster.mid, cluster.hi), detail::distance(cluster.lo, cluster.mid));
-    const double off = (std::fabs(t.low) + width + 0x1p-100 * std::fabs(t.high)) * (1 + 0x1p-40);
+    root.t = std::ldexp(root.t, m - k);
+    if (root.radius > 0) root.radius = std::ldexp(root.radius, m - k) + std::numeric_limits<double>::denorm_min();
+  }
+  return list;
+}
+
+/// The polynomial at t in some 100 bits, from the point there, and a proven bound of its error.
+class WideTorus {
+ public:
+  /// Sizes are moderate.
+  WideTorus(const Torus& torus, const Ray<double>& ray, const Sizes& sizes)
+      : ray_(ray), sizes_(sizes), axis_(array_of<DoubleDouble>(torus.axis)), size2_(detail::dot(axis_, axis_)) {
+    for (int i = 0; i < 3; ++i) {
+      from_center_[static_cast<std::size_t>(i)] = DoubleDouble(two_sum(ray.origin[i], -torus.center[i]));
+    }
+    const DoubleDouble major2(two_product(torus.major, torus.major)), minor2(two_product(torus.minor, torus.minor));
+    difference_ = major2 - minor2;
+    scale_ = {4 * major2.high, 4 * major2.low};
+  }
+
+  BoundedValue<DoubleDouble> at(double t) const {
+    std::array<DoubleDouble, 3> q;
+    for (int i = 0; i < 3; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      q[k] = from_center_[k] + DoubleDouble(two_product(t, ray_.direction[i]));
+    }
+    const DoubleDouble q2 = detail::dot(q, q), g = q2 + difference_;
+    const std::array<DoubleDouble, 3> v = detail::cross(axis_, q);
+    const DoubleDouble value = size2_ * (g * g) - scale_ * detail::dot(v, v);
+    // As S2, of operations that are off by 10 u^2 at most: fewer than 32 times that, 2^-97.
+    const double point = std::max({std::fabs(q[0].high), std::fabs(q[1].high), std::fabs(q[2].high)});
+    const double a2 = 3 * sizes_.axis * sizes_.axis, w2 = 3 * point * point;
+    const double g_size = w2 + sizes_.radius * sizes_.radius, s = 16 * sizes_.radius * sizes_.radius * a2;
+    return {value, 0, 0x1p-97 * (a2 * g_size * g_size + s * w2) + 0x1p-700};
+  }
+
+ private:
+  const Ray<double>& ray_;
+  Sizes sizes_;
+  std::array<DoubleDouble, 3> axis_, from_center_;
+  DoubleDouble size2_, difference_, scale_;
+};
+
+/// Rounds simple roots correctly by a step of Newton's from the double nearby, as far as 100 bits can; false where they
+/// cannot. `f` is the polynomial in t - t0.
+bool round_roots(const BoundedPolynomial<Arithmetic<DoubleBall>, 4>& f, const WideTorus& wide, double t0,
+                 RootList& list) {
+  for (int i = 0; i < list.count; ++i) {
+    Root& root = list.roots[static_cast<std::size_t>(i)];
+    const double start = t0 + root.t;
+    // The step ends in the root for a slope somewhere between here and there (mean value theorem).
+    const double away = 2 * root.radius + 0x1p-51 * std::fabs(start), size = std::fabs(root.t) + away;
+    const double slope = f.at(root.t).slope;
+    const double slope_off = (f.slope_bound(size) + 2 * away * f.half_curvature(size)) / std::fabs(slope);
+    if (!(slope_off < 0x1p-4)) return false;
+    const BoundedValue<DoubleDouble> at = wide.at(start);
+    const DoubleDouble t(two_sum(start, -at.value.high / slope));
+    const double off =
+        std::fabs(t.low) +
+        (at.bound / std::fabs(slope) + std::fabs(at.value.high / slope) * (slope_off + 0x1p-50)) * (1 + 0x1p-3);
+    const double reach = off * (1 + 0x1p-40);
     // What is less than half way to the neighbours is rounded back.
-    if (t.high + off != t.high || t.high - off != t.high || !(std::fabs(t.high) > 0x1p-900)) return false;
+    if (t.high + reach != t.high || t.high - reach != t.high || !(std::fabs(t.high) > 0x1p-900)) return false;
     root.t = t.high;
-    root.radius = off;
+    root.radius = reach;
   }
   return true;
 }
@@ -139,10 +210,12 @@ bool round_roots(const std::array<WideBall, 5>& coefficients, const RootList& ro
 }  // namespace
 
 RootList torus_roots(const Torus& torus, const Ray<double>& ray, Level level) {
+  if (!is_finite(ray.origin) || !is_finite(ray.direction) || ray.direction == Vec3d(0)) return {};
   const SeenLine line = seen_from(torus, ray);
   const Vec3d w = leading_of(line.w);
   const Sizes sizes = sizes_of(torus, ray, w);
   const bool is_moderate = sizes.are_moderate();
+  if (!is_moderate && level != Level::exact) return rescaled_roots(torus, ray, level);
   if (is_moderate && misses_sphere(torus, w, ray.direction)) return {};
   if (level == Level::fast) return float_roots(torus, ray, line);
 
@@ -155,17 +228,17 @@ RootList torus_roots(const Torus& torus, const Ray<double>& ray, Level level) {
     shift(list, line.t0);
     return list;
   }
-  if (is_moderate) list = quartic_roots(bounded_polynomial(torus, sizes, c));
-  if (list.is_certain && (level == Level::precise || list.count == 0)) {
-    shift(list, line.t0);
-    return list;
+  if (is_moderate) {
+    const std::array<DoubleBall, 5> balls = bounded_polynomial(torus, sizes, c);
+    list = quartic_roots(balls);
+    if (list.is_certain && level == Level::exact && list.count > 0) {
+      if (round_roots(bounded<DoubleBall, 4>(balls), WideTorus(torus, ray, sizes), line.t0, list)) return list;
+      return exact_roots(torus, ray);
+    }
   }
-  const std::array<WideBall, 5> wide = wide_polynomial(torus, ray, line);
-  if (!list.is_certain) list = quartic_roots(wide);
-  if (level == Level::exact) {
-    RootList rounded;
-    return list.is_certain && round_roots(wide, list, line.t0, rounded) ? rounded : exact_roots(torus, ray);
-  }
+  if (!list.is_certain) list = quartic_roots(wide_polynomial(torus, ray, line));
+  // Correct rounding is left to integers where even doubles were not enough to count.
+  if (level == Level::exact && (list.count > 0 || !list.is_certain)) return exact_roots(torus, ray);
   shift(list, line.t0);
   return list;
 }

@@ -69,7 +69,8 @@ Vec3d normal_at(const Torus&, const Vec3d& point);
 
 /// The parameters of the whole line, the ray's range aside, at which it meets the torus. A line that only touches has a
 /// root of even multiplicity. At level `exact` the list is always certain and each t the nearest double; at `precise`
-/// roots that some 100 bits cannot tell apart are one of their joint multiplicity, and the list is not certain.
+/// roots that some 100 bits cannot tell apart are one of their joint multiplicity, and the list is not certain. Rays
+/// with infinite or NaN components, or without direction, meet nothing; the torus is finite.
 RootList torus_roots(const Torus&, const Ray<double>&, Level);
 
 }  // namespace sightline
