@@ -12,7 +12,7 @@ namespace sightline {
 
 /// Whether as much is known of t as a level below exact asks for: to a part of itself. Exactly rounded it may not be.
 inline bool is_accurate(double t, double radius, Level level) {
-  const double share = level == Level::watertight ? 0x1p-40 : 0x1p-52;
+  const double share = level == Level::watertight ? 0x1p-46 : 0x1p-52;
   return level == Level::fast || (level != Level::exact && radius <= share * std::fabs(t));
 }
 inline bool is_accurate(const RootList& list, Level level) {
@@ -28,7 +28,10 @@ inline bool is_accurate(const RootList& list, Level level) {
 /// the level asks for, at level exact correctly rounded.
 RootList settled_roots(const Surface& surface, const FramedRay& ray, Level level);
 
-/// The same of a torus, from doubles on, at any level but fast.
+/// One of them, by its place: the others may be known less well.
+Root settled_root(const Surface& surface, const FramedRay& ray, Level level, std::uint32_t index);
+
+/// All of a torus, from doubles on, at any level but fast.
 RootList certain_roots(const Torus& torus, const FramedRay& ray, Level level);
 
 /// A root of a surface's polynomial along a ray, by its place among the distinct real ones.
