@@ -140,8 +140,8 @@ RootList quick_roots(const S& surface, const QuickRay<level>& quick, const Frame
 
 namespace detail {
 
-/// By the same polynomial from a point of the ray next to the root, where little cancels. False where that does not tell
-/// enough.
+/// By the same polynomial from a point of the ray next to the root, where little cancels. False where that does not
+/// tell enough.
 template <Level level, class S>
 [[gnu::flatten, gnu::noinline]] bool refine_root(const S& surface, const QuickRay<level>& ray, const Frame* frame,
                                                  std::uint32_t index, double near, Root& root) {
