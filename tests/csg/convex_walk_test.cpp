@@ -97,7 +97,7 @@ std::size_t compare(std::uint64_t seed) {
       const auto a = walk.first(t_min, t_max), b = list.first(t_min, t_max);
       EXPECT_EQ(text(a), text(b)) << "seed " << seed << " ray " << i << " behind " << t_min << " to " << t_max;
       if (!a || !b || text(a) != text(b)) break;
-      found += stats.nodes == 0;  // without lists
+      found += stats.nodes == 0;  // without lists for this ray
       t_min = a->t;
     }
   }
@@ -108,7 +108,7 @@ template <Level level>
 void compare_many() {
   std::size_t found = 0;
   for (std::uint64_t seed = 0; seed < 1500 && !testing::Test::HasFailure(); ++seed) found += compare<level>(seed);
-  EXPECT_GT(found, 3000u) << "boundaries that a walk has found";
+  EXPECT_GT(found, 800u) << "boundaries that a walk has found";
 }
 
 TEST(ConvexWalk, FindsWhatListsFind) {
