@@ -189,7 +189,7 @@ std::string fault_of(const Spans& spans, const ExactSpans& truth, Level level) {
     for (const Boundary& boundary : spans.boundaries) fault << ' ' << boundary.t;
     return fault.str();
   }
-  const double share = level == Level::watertight ? 0x1p-40 : 0x1p-52;
+  const double share = level == Level::watertight ? 0x1p-46 : 0x1p-52;
   for (std::size_t i = 0; i < truth.ends.size() && level != Level::fast; ++i) {
     const auto& [t, radius, primitive, face, root, is_flipped] = spans.boundaries[i];
     if (!is_within(truth.ends[i], t, radius))

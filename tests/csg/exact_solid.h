@@ -34,7 +34,7 @@ inline Point point_at(const Ray<double>& ray, const Binary& t) {
 bool contains(const SolidTree& tree, const Point& point);
 
 /// What is wrong with a list of a level, or "": at exact each end has to be the nearest double, at watertight within
-/// 2^-40 and at precise within 2^-52 of itself, and at both within its own bound.
+/// 2^-46 and at precise within 2^-52 of itself, and at both within its own bound.
 std::string fault_of(const Spans& spans, const ExactSpans& truth, Level level);
 
 }  // namespace sightline::oracle

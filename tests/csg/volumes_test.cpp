@@ -71,7 +71,7 @@ double length_of(const Spans& spans) {
 void expect_alike(const Spans& a, const Spans& b) {
   ASSERT_EQ(a.boundaries.size(), b.boundaries.size());
   for (std::size_t i = 0; i < a.boundaries.size(); ++i) {
-    EXPECT_LE(std::fabs(a.boundaries[i].t - b.boundaries[i].t), 0x1p-39 * std::fabs(b.boundaries[i].t));
+    EXPECT_LE(std::fabs(a.boundaries[i].t - b.boundaries[i].t), 0x1p-45 * std::fabs(b.boundaries[i].t));
   }
 }
 

@@ -266,18 +266,14 @@ class SolidEvaluator {
   // ---- What is reported (V3)
 
   Boundary refined(const Boundary& boundary) const {
-    if (is_accurate<level>(boundary.t, boundary.radius)) [[likely]]
+    if (is_accurate(boundary.t, boundary.radius, level)) [[likely]]
       return boundary;
-    return refined_apart(boundary);
-  }
-  [[gnu::noinline]] Boundary refined_apart(Boundary boundary) const {
     const Primitive& primitive = solid_.primitives()[boundary.primitive];
-    const LocalRay<level> ray(ray_.ray(), solid_.frame_of(primitive));
-    const RootList list = std::visit([&](const auto& surface) { return face_roots<level>(surface, ray); },
-                                     surface_of(primitive.shape, boundary.face));
-    boundary.t = list.roots[boundary.root].t;
-    boundary.radius = list.roots[boundary.root].radius;
-    return boundary;
+    const Root root =
+        refined_root(primitive, boundary.face, boundary.root, boundary.t, ray_.quick(), solid_.frame_of(primitive));
+    Boundary refined = boundary;
+    refined.t = root.t, refined.radius = root.radius;
+    return refined;
   }
   void refine(const SpanList& list) {
     for (Boundary& boundary : stack_.part(list)) boundary = refined(boundary);

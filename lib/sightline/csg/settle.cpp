@@ -1,5 +1,6 @@
 #include "sightline/csg/settle.h"
 
+#include <algorithm>
 #include <optional>
 #include <variant>
 
@@ -66,14 +67,13 @@ std::optional<RootList> wide_roots(const Surface& surface, const FramedRay& ray)
   return list.is_certain ? std::optional(list) : std::nullopt;
 }
 
-/// Whether what is known of each root leaves one nearest double.
+/// Whether what is known of a root leaves one nearest double.
+bool is_rounded(const Root& root) {
+  const double size = std::fabs(root.t);
+  return root.radius == 0 || root.radius < 0.5 * (size - next_down(size));
+}
 bool are_rounded(const RootList& list) {
-  for (int i = 0; i < list.count; ++i) {
-    const Root& root = list.roots[static_cast<std::size_t>(i)];
-    const double size = std::fabs(root.t);
-    if (root.radius != 0 && !(root.radius < 0.5 * (size - next_down(size)))) return false;
-  }
-  return true;
+  return std::all_of(list.roots.begin(), list.roots.begin() + list.count, is_rounded);
 }
 
 AlgebraicRoot algebraic(const SurfaceRoot& a) {
@@ -99,6 +99,14 @@ RootList settled_roots(const Surface& surface, const FramedRay& ray, Level level
   const auto wide = wide_roots(surface, ray);
   if (wide && (level == Level::exact ? are_rounded(*wide) : is_accurate(*wide, level))) return *wide;
   return exact_roots(surface, ray);
+}
+
+Root settled_root(const Surface& surface, const FramedRay& ray, Level level, std::uint32_t index) {
+  if (const auto wide = wide_roots(surface, ray)) {
+    const Root& root = wide->roots[index];
+    if (level == Level::exact ? is_rounded(root) : is_accurate(root.t, root.radius, level)) return root;
+  }
+  return exact_roots(surface, ray).roots[index];
 }
 
 int settled_order(const SurfaceRoot& a, const SurfaceRoot& b) {

@@ -10,16 +10,16 @@
 
 namespace sightline {
 
-/// What levels that are not exact promise of t, as a share of it. The exact one has the nearest double.
-constexpr double accuracy_of(Level level) { return level == Level::watertight ? 0x1p-40 : 0x1p-52; }
-
-/// Whether all is known of roots that a level below exact asks for: t to this part of itself.
+/// Whether as much is known of t as a level below exact asks for: to a part of itself. Exactly rounded it may not be.
+inline bool is_accurate(double t, double radius, Level level) {
+  const double share = level == Level::watertight ? 0x1p-46 : 0x1p-52;
+  return level == Level::fast || (level != Level::exact && radius <= share * std::fabs(t));
+}
 inline bool is_accurate(const RootList& list, Level level) {
   if (!list.is_certain) return false;
-  const double share = accuracy_of(level);
   for (int i = 0; i < list.count; ++i) {
     const Root& root = list.roots[static_cast<std::size_t>(i)];
-    if (!(root.radius <= share * std::fabs(root.t))) return false;
+    if (!is_accurate(root.t, root.radius, level)) return false;
   }
   return true;
 }
@@ -28,7 +28,10 @@ inline bool is_accurate(const RootList& list, Level level) {
 /// the level asks for, at level exact correctly rounded.
 RootList settled_roots(const Surface& surface, const FramedRay& ray, Level level);
 
-/// The same of a torus, from doubles on, at any level but fast.
+/// One of them, by its place: the others may be known less well.
+Root settled_root(const Surface& surface, const FramedRay& ray, Level level, std::uint32_t index);
+
+/// All of a torus, from doubles on, at any level but fast.
 RootList certain_roots(const Torus& torus, const FramedRay& ray, Level level);
 
 /// A root of a surface's polynomial along a ray, by its place among the distinct real ones.
