@@ -161,7 +161,7 @@ t                       wasInA isInA wasInB isInB  result     boundary
 HIT, the first boundary of node 0 with t >= 0
 t          1.7817541634481457
 point      -0.46824583655185426 0.25 0
-normal     -0.9682458365518544 0.25 0
+normal     -0.9682458365518543 0.25 0
 material   blue
 boundary   sphere blue (1), surface
 )";

@@ -135,7 +135,8 @@ std::optional<Passage> passage(const solid::Box& box, const LocalRay<level>& ray
 
 SurfaceRoot root_of(const Boundary& boundary, const Solid& solid, const Ray<double>& ray) {
   const Primitive& primitive = solid.primitives()[boundary.primitive];
-  return {surface_of(primitive.shape, boundary.face), FramedRay(ray, solid.frame_of(primitive)), boundary.root};
+  return {surface_of(primitive.shape, boundary.face), FramedRay(ray, solid.frame_of(primitive)),
+          static_cast<int>(boundary.root)};
 }
 
 }  // namespace
