@@ -111,18 +111,48 @@ expect_exit 1
 expect_one_line
 expect_says kd-tree
 expect_no_file
-# Solids: painted, verified, and refused where a pixel is wrong.
-solids=("$bench" solids --quick --scene cheese:4 --peer none --rounds 1)
-run "${solids[@]}" --precision fast,watertight --json solids.json
+
+# ---- Solids
+
+solids=(solids --quick --rounds 1)
+run "$bench" solids --help
 expect_exit 0
-for word in cheese:4 watertight fast; do expect_prints "$word"; done
-expect_file solids.json
-run "${solids[@]}" --self-check watertight
-expect_exit 1
-refuses 2 cheese:256 "$bench" solids --scene no-such-scene # the message lists what there is
-refuses 2 watertight "$bench" solids --precision no-such-level
-refuses 2 no-such-option "$bench" solids --set solid.no-such-option=1
-refuses 2 no-such-tree "${solids[@]}" --accel no-such-tree
-refuses 2 povray "$bench" solids --peer no-such-peer
+expect_quiet
+for word in --precision --ablation --accel widget cheese:256 solid.use_bounds povray; do expect_prints "$word"; done
+refuses 2 'unknown scene' "$bench" solids --scene no-such-scene
+refuses 2 cheese:16 "$bench" solids --scene cheese:17 # the message lists what there is
+refuses 2 'unknown level' "$bench" solids --precision no-such-level
+refuses 2 twice "$bench" solids --precision fast,fast
+refuses 2 'unknown accelerator' "$bench" solids --accel no-such-tree
+refuses 2 'unknown peer' "$bench" solids --peer no-such-peer
+refuses 2 solid.OPTION=VALUE "$bench" solids --set use_bounds=false
+refuses 2 use_bounds "$bench" solids --set solid.no_such_option=1
+refuses 2 'true or false' "$bench" solids --set solid.use_bounds=5
 refuses 2 rounds "$bench" solids --rounds 0
+refuses 2 stray "$bench" solids stray
+refuses 2 table "$bench" solids --json -
+refuses 2 'unknown line' "$bench" solids --self-check no-such-line
+refuses 1 /dev/null "$bench" solids --json /dev/null/out.json
+mkdir -p "$scratch/empty"
+run env PATH="$scratch/empty" "$bench" "${solids[@]}" --scene widget --json out.json
+expect_exit 0
+expect_prints 'Without POV-Ray, which'
+expect_prints 'watertight '
+check 'no POV-Ray in the JSON file' grep -q '"povray": null' "$work/out.json"
+run "$bench" "${solids[@]}" --scene cheese:1 --scene cheese:16 --scene cheese:4 --peer none --ablation \
+  --precision exact,fast --accel kd-tree --set solid.index_from=4 --json out.json
+expect_exit 0
+for word in 'exact, use_bounds off' 'exact, all off' 'fast ' exponent 'solid in kd-tree'; do expect_prints "$word"; done
+check 'exponents in the JSON file' grep -q '"exponent"' "$work/out.json"
+run "$bench" "${solids[@]}" --scene widget --peer none --precision watertight,exact --self-check exact --json out.json
+expect_exit 1
+expect_one_line
+expect_says 'exact is wrong'
+expect_no_file
+if command -v povray >/dev/null; then
+  run "$bench" "${solids[@]}" --scene widget
+  expect_exit 0
+  expect_prints 'beside POV-Ray'
+  expect_prints 'sees otherwise: 0 of coverage'
+fi
 finish
