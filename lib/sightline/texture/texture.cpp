@@ -1,8 +1,8 @@
 #include "sightline/texture/texture.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <tuple>
-#include <type_traits>
 
 namespace sightline {
 namespace {

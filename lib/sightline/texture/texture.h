@@ -1,9 +1,9 @@
 #pragma once
 /// Textures by name: what tools list, set and draw.
 
-#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 

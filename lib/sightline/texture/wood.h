@@ -26,8 +26,8 @@ struct WoodOptions {
 /// color early + f (late - early).
 ///
 ///   - The squares are kept with their rounding errors, so that a ring is where it belongs to some 2^-49 of its width
-///     up to 2^52 from the axis, and not to 2^-53 of its number. Price: two fused products an axis, little beside
-///     noise. Where a square overflows, f is NaN.
+///     up to 2^52 from the axis, and not to 2^-53 of its number. Price: three fused products an axis, little
+///     beside noise. Where a square overflows, f is NaN.
 ///   - Rings thinner than the footprint fade to their mean: f is the sawtooth's mean over the rings that a footprint
 ///     spans, in closed form. These count as evenly spread, which is right to first order. Price: the noise's gradient,
 ///     about as much again as its value.
