@@ -6,59 +6,11 @@
 #include <limits>
 #include <optional>
 
-#include "sightline/accel/padded_ray.h"
-#include "sightline/csg/convex_walk.h"
+#include "sightline/csg/first_walk.h"
 #include "sightline/csg/primitive_spans.h"
 #include "sightline/csg/solid.h"
 
 namespace sightline {
-
-/// What evaluation tells of its work; this one does not listen.
-struct NoSolidProbe {
-  static constexpr bool sees_transitions = false;  ///< Whether those that change nothing matter, too.
-  void node(std::uint32_t) {}                      ///< A node is evaluated.
-  void pruned(std::uint32_t) {}                    ///< A node is left out, for want of a meeting.
-  void primitive(std::uint32_t) {}                 ///< A primitive's faces are solved.
-  void transition(std::uint32_t, const Transition&, bool, double) {}  ///< Of a node: kept or not, and where.
-  void spans(std::uint32_t, std::span<const Boundary>, bool) {}       ///< A node's list.
-};
-
-/// Work per ray.
-struct SolidStats : NoSolidProbe {
-  std::uint64_t nodes = 0, pruned_nodes = 0, primitives = 0, transitions = 0;
-
-  void node(std::uint32_t) { ++nodes; }
-  void pruned(std::uint32_t) { ++pruned_nodes; }
-  void primitive(std::uint32_t) { ++primitives; }
-  void transition(std::uint32_t, const Transition&, bool, double) { ++transitions; }
-};
-
-/// A ray made ready for all solids within some bounds. Refers to both. Not to be shared by threads.
-template <Level level>
-class SolidRay {
- public:
-  using Real = typename QuickRay<level>::Real;
-
-  SolidRay(const Ray<double>& ray, const Aabb& extent) : quick_(ray), extent_(&extent) {}
-
-  const Ray<double>& ray() const { return quick_.ray(); }
-  /// Made when it is needed first: many solids are answered without.
-  const PaddedRay<Real>& padded() const {
-    if (!padded_) padded_.emplace(to_real(ray()), *extent_);
-    return *padded_;
-  }
-  const QuickRay<level>& quick() const { return quick_; }
-  bool is_valid() const { return quick_.is_valid(); }
-
- private:
-  static Ray<Real> to_real(const Ray<double>& ray) {
-    return {Vec3<Real>(ray.origin), Vec3<Real>(ray.direction), -std::numeric_limits<Real>::infinity()};
-  }
-
-  QuickRay<level> quick_;
-  const Aabb* extent_;
-  mutable std::optional<PaddedRay<Real>> padded_;
-};
 
 /// Evaluates one solid for one ray. Refers to both.
 ///   V1  A list is right within the window that it was asked for, ends included; beyond it anything may be missing.
@@ -95,17 +47,21 @@ class SolidEvaluator {
   std::optional<Boundary> first(double t_min, double t_max) {
     stack_.truncate(0);
     if (!ray_.is_valid()) return std::nullopt;
-    if constexpr (!Probe::sees_transitions) {
-      if (const ConvexParts* parts = solid_.convex_parts()) {
-        using Walk = ConvexWalk<level, Probe>;
-        Boundary boundary;
-        const auto outcome = Walk(solid_, *parts, ray_.quick(), probe_, found_).run(t_min, t_max, boundary);
-        if (outcome == Walk::Outcome::none) return std::nullopt;
-        if (outcome == Walk::Outcome::found) {
-          return is_behind(boundary, t_max) ? std::nullopt : std::optional(refined(boundary));
-        }
-      }
+    Boundary boundary;
+    switch (walk_first(solid_, ray_, t_min, t_max, probe_, boundary)) {
+      case WalkOutcome::found:
+        return boundary;
+      case WalkOutcome::none:
+        return std::nullopt;
+      case WalkOutcome::unclear:
+        break;
     }
+    return first_by_lists(t_min, t_max);
+  }
+
+  /// The same without a walk along convex parts.
+  std::optional<Boundary> first_by_lists(double t_min, double t_max) {
+    stack_.truncate(0);
     return solid_.options().stop_early ? first_of(last_node(), {t_min, t_max})
                                        : first_in(evaluate(last_node(), {t_min, t_max}), {t_min, t_max});
   }
@@ -265,26 +221,12 @@ class SolidEvaluator {
 
   // ---- What is reported (V3)
 
-  Boundary refined(const Boundary& boundary) const {
-    if (is_accurate(boundary.t, boundary.radius, level)) [[likely]]
-      return boundary;
-    const Primitive& primitive = solid_.primitives()[boundary.primitive];
-    const Root root =
-        refined_root(primitive, boundary.face, boundary.root, boundary.t, ray_.quick(), solid_.frame_of(primitive));
-    Boundary refined = boundary;
-    refined.t = root.t, refined.radius = root.radius;
-    return refined;
-  }
   void refine(const SpanList& list) {
     for (Boundary& boundary : stack_.part(list)) boundary = refined(boundary);
   }
-
-  /// Whether the boundary would be reported behind t.
+  Boundary refined(const Boundary& boundary) const { return refined_boundary(solid_, boundary, ray_.quick()); }
   bool is_behind(const Boundary& boundary, double t) const {
-    // The reported one is no farther from the true one than this one is.
-    if (std::fabs(boundary.t - t) > 3 * boundary.radius) [[likely]]
-      return boundary.t > t;
-    return refined(boundary).t > t;
+    return sightline::is_behind(solid_, boundary, t, ray_.quick());
   }
 
   // ---- The first boundary

@@ -76,6 +76,7 @@ class QuickRay {
   const Ray<double>& ray() const { return *ray_; }
   bool is_moderate() const { return is_moderate_; }
   bool has_zero() const { return has_zero_; }
+  const Vec3<Real>& inverse() const { return inverse_; }  ///< Of the direction.
   bool is_valid() const { return is_valid_; }
 
   /// Where a plane across an axis is passed, if the direction is not 0 there. In double off by three roundings:
