@@ -8,8 +8,7 @@ namespace sightline {
 
 class ConvexLanes::Builder {
  public:
-  Builder(ConvexLanes& lanes, std::span<const Primitive> primitives)
-      : lanes_(lanes), primitives_(primitives) {}
+  Builder(ConvexLanes& lanes, std::span<const Primitive> primitives) : lanes_(lanes), primitives_(primitives) {}
 
   bool keep(std::uint32_t primitive) {
     const bool is_held = std::visit(

@@ -27,7 +27,7 @@ struct LaneRows {
   using Row = std::array<Real, lanes>;
 
   alignas(64) std::array<Row, 3> weight{}, center{};
-  alignas(64) Row square{}, is_round{};  ///< 1 where the lane has a quadratic, else 0.
+  alignas(64) Row square{}, is_round{};             ///< 1 where the lane has a quadratic, else 0.
   alignas(64) Row error_a{}, error_b{}, error_c{};  ///< By the sizes of SizedDouble, without its step.
   alignas(64) std::array<Row, 3> lo, hi;            ///< Slabs: of a box all three, of a cylinder that of its caps.
   std::array<Real, 3> lower, upper;                 ///< The planes of what is kept.
@@ -62,7 +62,9 @@ class ConvexLanes {
                                                   std::span<const std::uint32_t> taken);
 
   /// Whose the planes of what is kept are.
-  const Face& face_of_plane(int axis, bool is_upper) const { return planes_[static_cast<std::size_t>(2 * axis + is_upper)]; }
+  const Face& face_of_plane(int axis, bool is_upper) const {
+    return planes_[static_cast<std::size_t>(2 * axis + is_upper)];
+  }
 
   std::uint32_t count() const { return count_; }
   std::uint32_t kept_count() const { return kept_count_; }  ///< Lanes of kept parts come first.

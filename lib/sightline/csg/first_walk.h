@@ -6,6 +6,7 @@
 
 #include "sightline/csg/convex_walk.h"
 #include "sightline/csg/lane_walk.h"
+#include "sightline/csg/refined_root.h"
 #include "sightline/csg/solid_probe.h"
 #include "sightline/csg/solid_ray.h"
 
@@ -17,8 +18,7 @@ Boundary refined_boundary(const Solid& solid, const Boundary& boundary, const Qu
   if (is_accurate(boundary.t, boundary.radius, level)) [[likely]]
     return boundary;
   const Primitive& primitive = solid.primitives()[boundary.primitive];
-  const Root root =
-      refined_root(primitive, boundary.face, boundary.root, boundary.t, ray, solid.frame_of(primitive));
+  const Root root = refined_root(primitive, boundary.face, boundary.root, boundary.t, ray, solid.frame_of(primitive));
   Boundary refined = boundary;
   refined.t = root.t, refined.radius = root.radius;
   return refined;

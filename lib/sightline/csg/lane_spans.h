@@ -37,7 +37,8 @@ class LaneSpans {
 
   /// Of a round lane, alone.
   Root root(std::uint32_t lane, std::uint32_t index) const {
-    return {static_cast<double>(t_[index][lane]), level == Level::fast ? 0 : static_cast<double>(radius_[index][lane]), 1};
+    return {static_cast<double>(t_[index][lane]), level == Level::fast ? 0 : static_cast<double>(radius_[index][lane]),
+            1};
   }
   static Enclosure around(double t, double radius) {
     if constexpr (level == Level::fast) return {t, t};
@@ -189,8 +190,9 @@ class LaneSpans {
     const auto real = [](double x) { return hn::Set(d, static_cast<Real>(x)); };
     const V size_b = hn::Abs(b), size_c = hn::Abs(c);
     const V square = hn::Mul(b, b), product = hn::Mul(a, c), discriminant = hn::Sub(square, product);
-    const V of_terms = hn::Add(hn::Add(hn::Mul(hn::Add(hn::Add(size_b, size_b), error_b), error_b), hn::Mul(a, error_c)),
-                               hn::Mul(hn::Add(size_c, error_c), error_a));
+    const V of_terms =
+        hn::Add(hn::Add(hn::Mul(hn::Add(hn::Add(size_b, size_b), error_b), error_b), hn::Mul(a, error_c)),
+                hn::Mul(hn::Add(size_c, error_c), error_a));
     const V of_roundings = hn::Mul(hn::Add(square, hn::Abs(product)), real(0x1p-52));
     const V error = hn::Add(hn::Mul(hn::Add(of_terms, of_roundings), real(1 + 0x1p-40)), real(SizedDouble::step));
     const M is_quadratic = hn::Gt(a, hn::Mul(real(0x1p+20), error_a));
@@ -200,8 +202,8 @@ class LaneSpans {
     const V root = hn::Sqrt(discriminant), size_q = hn::Add(size_b, root);
     const M is_behind = hn::Gt(b, hn::Zero(d));
     const V q = hn::IfThenElse(is_behind, hn::Neg(size_q), size_q);
-    const V error_q = hn::Add(hn::Mul(hn::Add(error_b, hn::Div(error, root)), real(1 + 0x1p-40)),
-                              hn::Mul(size_q, real(0x1p-51)));
+    const V error_q =
+        hn::Add(hn::Mul(hn::Add(error_b, hn::Div(error, root)), real(1 + 0x1p-40)), hn::Mul(size_q, real(0x1p-51)));
     const M is_apart = hn::Gt(size_q, hn::Mul(real(0x1p+20), error_q));
     const V inverse_a = hn::Div(real(1), a), inverse_q = hn::Div(real(1), q);
     const V one = hn::Mul(q, inverse_a), other = hn::Mul(c, inverse_q);

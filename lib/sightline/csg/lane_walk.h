@@ -24,7 +24,8 @@ class LaneWalk {
     if (!ray_.is_moderate()) return WalkOutcome::unclear;
     double in[3], out[3];
     for (int axis = 0; axis < 3; ++axis) in[axis] = passing(axis, true), out[axis] = passing(axis, false);
-    Enclosure enter = around(larger(in[0], larger(in[1], in[2]))), leave = around(smaller(out[0], smaller(out[1], out[2])));
+    Enclosure enter = around(larger(in[0], larger(in[1], in[2]))),
+              leave = around(smaller(out[0], smaller(out[1], out[2])));
     if ((enter.lo > leave.hi) | (leave.hi < lo) | (enter.lo > hi)) return WalkOutcome::none;
     return within(enter, leave, lo, hi, first);
   }
