@@ -3,6 +3,7 @@
 
 #include "sightline/csg/convex_lanes.h"
 #include "sightline/csg/face_roots.h"
+#include "sightline/math/rounding.h"
 #include "sightline/math/simd.h"
 
 namespace sightline {

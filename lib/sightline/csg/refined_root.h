@@ -42,9 +42,9 @@ template <Level level>
   double squares = 0, slope = 0, speed = 0, error_c = 0, error_b = 0;
   for (int i = 0; i < 3; ++i) {
     if (i == axis) continue;
-    const double direction = ray.direction[i], step = near * direction, at = ray.origin[i] + step;
+    const double direction = ray.direction[i], way = near * direction, at = ray.origin[i] + way;
     const double p = at - center[i], size = std::fabs(p);
-    const double error = (std::fabs(step) + std::fabs(at) + size) * unit;  // N1
+    const double error = (std::fabs(way) + std::fabs(at) + size) * unit;  // N1
     squares += p * p, slope += p * direction, speed += direction * direction;
     error_c += error * (2 * size + error);
     error_b += std::fabs(direction) * (error + size * (4 * unit));
