@@ -95,7 +95,7 @@ template <Level level>
         if constexpr (std::is_same_v<S, solid::Torus> || level == Level::fast) {
           return face_roots<level>(surface, local).roots[index];
         } else {
-          const RootList list = detail::roots_of(solid::form_of(surface, local.line()));
+          const RootList list = roots_of(solid::form_of(surface, local.line()));
           const Root& rough = list.roots[index];
           if (list.is_certain && is_accurate(rough.t, rough.radius, level)) return rough;
           return settled_root(surface, local, level, index);

@@ -16,7 +16,7 @@ namespace {
 ///   S1  w is the exact point, rounded to double-double.
 struct SeenLine {
   double t0;
-  std::array<DoubleDouble, 3> w;
+  Triple<DoubleDouble> w;
 };
 
 SeenLine seen_from(const Torus& torus, const Ray<double>& ray) {
@@ -29,12 +29,7 @@ SeenLine seen_from(const Torus& torus, const Ray<double>& ray) {
   return line;
 }
 
-template <class N>
-std::array<N, 3> array_of(const Vec3d& v) {
-  return {N(v.x), N(v.y), N(v.z)};
-}
-
-Vec3d leading_of(const std::array<DoubleDouble, 3>& w) { return {w[0].high, w[1].high, w[2].high}; }
+Vec3d leading_of(const Triple<DoubleDouble>& w) { return {w[0].high, w[1].high, w[2].high}; }
 
 /// Sizes that bound all intermediate results.
 struct Sizes {
@@ -74,13 +69,13 @@ std::array<DoubleBall, 5> bounded_polynomial(const Torus& torus, const Sizes& si
 }
 
 std::array<WideBall, 5> wide_polynomial(const Torus& torus, const Ray<double>& ray, const SeenLine& line) {
-  std::array<WideBall, 3> w;
+  Triple<WideBall> w;
   for (std::size_t i = 0; i < 3; ++i) {
     // S1; where digits may be lost to underflow as well.
     w[i] = {line.w[i], 0x1p-99 * std::fabs(line.w[i].high) + 0x1p-1000};
   }
-  return detail::torus_polynomial(array_of<WideBall>(torus.axis), WideBall(torus.major), WideBall(torus.minor), w,
-                                  array_of<WideBall>(ray.direction));
+  return detail::torus_polynomial(triple<WideBall>(torus.axis), WideBall(torus.major), WideBall(torus.minor), w,
+                                  triple<WideBall>(ray.direction));
 }
 
 void shift(RootList& list, double t0) {
@@ -96,8 +91,8 @@ RootList float_roots(const Torus& torus, const Ray<double>& ray, const SeenLine&
   const double length = glm::length(ray.direction);
   const Vec3d w = leading_of(line.w), d = ray.direction / length, a = glm::normalize(torus.axis);
   RootList list =
-      quartic_roots(detail::torus_polynomial(array_of<float>(a), static_cast<float>(torus.major),
-                                             static_cast<float>(torus.minor), array_of<float>(w), array_of<float>(d)));
+      quartic_roots(detail::torus_polynomial(triple<float>(a), static_cast<float>(torus.major),
+                                             static_cast<float>(torus.minor), triple<float>(w), triple<float>(d)));
   for (int i = 0; i < list.count; ++i) {
     double& t = list.roots[static_cast<std::size_t>(i)].t;
     t = static_cast<float>(line.t0 + t / length);
@@ -149,7 +144,7 @@ class WideTorus {
  public:
   /// Sizes are moderate.
   WideTorus(const Torus& torus, const Ray<double>& ray, const Sizes& sizes)
-      : ray_(ray), sizes_(sizes), axis_(array_of<DoubleDouble>(torus.axis)), size2_(detail::dot(axis_, axis_)) {
+      : ray_(ray), sizes_(sizes), axis_(triple<DoubleDouble>(torus.axis)), size2_(dot(axis_, axis_)) {
     for (int i = 0; i < 3; ++i) {
       from_center_[static_cast<std::size_t>(i)] = DoubleDouble(two_sum(ray.origin[i], -torus.center[i]));
     }
@@ -159,14 +154,14 @@ class WideTorus {
   }
 
   BoundedValue<DoubleDouble> at(double t) const {
-    std::array<DoubleDouble, 3> q;
+    Triple<DoubleDouble> q;
     for (int i = 0; i < 3; ++i) {
       const auto k = static_cast<std::size_t>(i);
       q[k] = from_center_[k] + DoubleDouble(two_product(t, ray_.direction[i]));
     }
-    const DoubleDouble q2 = detail::dot(q, q), g = q2 + difference_;
-    const std::array<DoubleDouble, 3> v = detail::cross(axis_, q);
-    const DoubleDouble value = size2_ * (g * g) - scale_ * detail::dot(v, v);
+    const DoubleDouble q2 = dot(q, q), g = q2 + difference_;
+    const Triple<DoubleDouble> v = cross(axis_, q);
+    const DoubleDouble value = size2_ * (g * g) - scale_ * dot(v, v);
     // As S2, of operations that are off by 10 u^2 at most: fewer than 32 times that, 2^-97.
     const double point = std::max({std::fabs(q[0].high), std::fabs(q[1].high), std::fabs(q[2].high)});
     const double a2 = 3 * sizes_.axis * sizes_.axis, w2 = 3 * point * point;
@@ -177,7 +172,7 @@ class WideTorus {
  private:
   const Ray<double>& ray_;
   Sizes sizes_;
-  std::array<DoubleDouble, 3> axis_, from_center_;
+  Triple<DoubleDouble> axis_, from_center_;
   DoubleDouble size2_, difference_, scale_;
 };
 
@@ -219,8 +214,8 @@ RootList torus_roots(const Torus& torus, const Ray<double>& ray, Level level) {
   if (is_moderate && misses_sphere(torus, w, ray.direction)) return {};
   if (level == Level::fast) return float_roots(torus, ray, line);
 
-  const std::array<double, 5> c = detail::torus_polynomial(array_of<double>(torus.axis), torus.major, torus.minor,
-                                                           array_of<double>(w), array_of<double>(ray.direction));
+  const std::array<double, 5> c = detail::torus_polynomial(triple<double>(torus.axis), torus.major, torus.minor,
+                                                           triple<double>(w), triple<double>(ray.direction));
   RootList list;
   list.is_certain = false;
   if (level == Level::watertight) {
