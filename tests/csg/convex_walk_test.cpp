@@ -5,6 +5,7 @@
 
 #include "sightline/csg/evaluator.h"
 #include "sightline/math/random.h"
+#include "sightline/math/rounding.h"
 
 namespace sightline {
 namespace {
@@ -130,6 +131,7 @@ void compare(std::uint64_t seed, Counts& counts) {
       const auto a = walk.first(t_min, t_max), b = list.first(t_min, t_max);
       EXPECT_EQ(text(a), text(b)) << "seed " << seed << " ray " << i << " behind " << t_min << " to " << t_max;
       compare_any<double>(walked, ready, t_min, t_max, b, counts);
+      if (b) compare_any<double>(walked, ready, t_min, next_down(b->t), std::nullopt, counts);
       if (!a || !b || text(a) != text(b)) break;
       counts.found += stats.nodes == 0;  // without lists for this ray
       counts.by_lanes += stats.nodes == 0 && has_lanes;
