@@ -11,38 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const std::optional<Estimate>& value) {
-  if (!value) return nullptr;
-  return {{"median", value->median}, {"low", value->low}, {"high", value->high}, {"confidence", value->confidence}};
-}
-
 Json median_of(const std::optional<Estimate>& value) { return value ? Json(value->median) : Json(nullptr); }
 Json interval_of(const std::optional<Estimate>& value) {
   return value ? Json::array({value->low, value->high}) : Json(nullptr);
-}
-
-Json raw_rounds(const Measurement& own) {
-  Json list = Json::array();
-  for (const double seconds : own.round_seconds) list.push_back(std::isnan(seconds) ? Json(nullptr) : Json(seconds));
-  return list;
-}
-
-Json json_of(const Machine& machine) {
-  return {{"processor", machine.processor},
-          {"hardware_threads", machine.hardware_threads},
-          {"load", machine.load < 0 ? Json(nullptr) : Json(machine.load)},
-          {"system", machine.system},
-          {"compiler", machine.compiler},
-          {"flags", machine.flags},
-          {"build_type", machine.build_type},
-          {"assertions", machine.has_assertions},
-          {"versions",
-           {{"sightline", machine.sightline_version},
-            {"embree", machine.embree_version},
-            {"cgal", machine.cgal_version.empty() ? Json(nullptr) : Json(machine.cgal_version)},
-            {"vtk", machine.vtk_version.empty() ? Json(nullptr) : Json(machine.vtk_version)},
-            {"google_benchmark", machine.google_benchmark_version},
-            {"tbb", machine.tbb_version}}}};
 }
 
 Json json_of(const Plan& plan) {
@@ -76,7 +47,7 @@ Json traced_json(const ContenderReport& contender, const Measurement& own) {
   json["first_pass_seconds"] = own.first_pass_seconds;
   json["next_pass_seconds"] = own.next_pass_seconds;
   json["iterations"] = own.iterations;
-  json["round_seconds"] = raw_rounds(own);
+  json["round_seconds"] = json_of_rounds(own.round_seconds);
   return json;
 }
 
@@ -101,7 +72,7 @@ Json json_of(const ContenderReport& contender, std::size_t triangles) {
   if (build && build->seconds) {
     json["build_seconds"]["ratio_to_embree"] = median_of(build->ratio);
     json["build_seconds"]["iterations"] = build->iterations;
-    json["build_seconds"]["round_seconds"] = raw_rounds(*build);
+    json["build_seconds"]["round_seconds"] = json_of_rounds(build->round_seconds);
   }
   json["workloads"] = Json::object();
   for (const WorkloadInfo& info : workload_infos) {
@@ -182,6 +153,33 @@ std::string json_text(const Report& report, std::span<const GrowthLine> growth) 
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-std::string json_text(const Machine& machine) { return json_of(machine).dump(); }
+Json json_of(const Machine& machine) {
+  return {{"processor", machine.processor},
+          {"hardware_threads", machine.hardware_threads},
+          {"load", machine.load < 0 ? Json(nullptr) : Json(machine.load)},
+          {"system", machine.system},
+          {"compiler", machine.compiler},
+          {"flags", machine.flags},
+          {"build_type", machine.build_type},
+          {"assertions", machine.has_assertions},
+          {"versions",
+           {{"sightline", machine.sightline_version},
+            {"embree", machine.embree_version},
+            {"cgal", machine.cgal_version.empty() ? Json(nullptr) : Json(machine.cgal_version)},
+            {"vtk", machine.vtk_version.empty() ? Json(nullptr) : Json(machine.vtk_version)},
+            {"google_benchmark", machine.google_benchmark_version},
+            {"tbb", machine.tbb_version}}}};
+}
+
+Json json_of(const std::optional<Estimate>& value) {
+  if (!value) return nullptr;
+  return {{"median", value->median}, {"low", value->low}, {"high", value->high}, {"confidence", value->confidence}};
+}
+
+Json json_of_rounds(std::span<const double> seconds) {
+  Json list = Json::array();
+  for (const double s : seconds) list.push_back(std::isnan(s) ? Json(nullptr) : Json(s));
+  return list;
+}
 
 }  // namespace sightline::bench

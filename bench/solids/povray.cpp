@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <charconv>
 #include <fstream>
@@ -80,14 +79,16 @@ Picture picture_of(const std::string& bytes) {
 
 }  // namespace
 
+Povray::Povray()
+    : folder_(std::make_unique<ScratchFolder>()),
+      source_(folder_->file("scene.pov")),
+      log_(folder_->file("log")),
+      picture_(folder_->file("picture.ppm")) {}
+
 std::optional<Povray> Povray::find() {
   Povray povray;
-  std::string pattern = (fs::temp_directory_path() / "sightline-povray-XXXXXX").string();
-  if (!mkdtemp(pattern.data())) throw std::runtime_error("no folder for POV-Ray's files can be made in " + pattern);
-  povray.folder_ = pattern;
-  const fs::path log = povray.folder_ / "log";
-  if (run_program({"povray", "--version"}, log) == 127) return std::nullopt;
-  std::istringstream lines(text_of(log));
+  if (run_program({"povray", "--version"}, povray.log_) == 127) return std::nullopt;
+  std::istringstream lines(text_of(povray.log_));
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("POV-Ray ")) povray.version_ = line.substr(8);
   }
@@ -95,32 +96,21 @@ std::optional<Povray> Povray::find() {
   return povray;
 }
 
-Povray::~Povray() {
-  std::error_code ignored;
-  if (!folder_.empty()) fs::remove_all(folder_, ignored);
-}
-
-Povray::Povray(Povray&& other) noexcept : folder_(std::move(other.folder_)), version_(std::move(other.version_)) {
-  other.folder_.clear();
-}
-
 std::string Povray::run(const SolidScene& scene, const std::string& output) {
-  const fs::path source = folder_ / "scene.pov", log = folder_ / "log";
-  std::ofstream(source) << povray_text(scene);
-  std::vector<std::string> words{"povray", "+I" + source.string(), "+W" + std::to_string(scene.camera.width),
+  std::ofstream(source_) << povray_text(scene);
+  std::vector<std::string> words{"povray", "+I" + source_.string(), "+W" + std::to_string(scene.camera.width),
                                  "+H" + std::to_string(scene.camera.height), "File_Gamma=1.0"};
   std::istringstream options(std::string(povray_options) + ' ' + output);
   for (std::string word; options >> word;) words.push_back(word);
-  const int code = run_program(words, log);
-  std::string text = text_of(log);
+  const int code = run_program(words, log_);
+  std::string text = text_of(log_);
   if (code != 0) throw std::runtime_error("POV-Ray failed with exit code " + std::to_string(code) + ":\n" + text);
   return text;
 }
 
 Picture Povray::paint(const SolidScene& scene) {
-  const fs::path picture = folder_ / "picture.ppm";
-  run(scene, "+FP16 +O" + picture.string());
-  return picture_of(text_of(picture));
+  run(scene, "+FP16 +O" + picture_.string());
+  return picture_of(text_of(picture_));
 }
 
 Povray::TraceTime Povray::trace(const SolidScene& scene) {

@@ -1,23 +1,21 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "bench/solids/picture.h"
 #include "bench/solids/scene.h"
+#include "bench/solids/scratch_folder.h"
 
 namespace sightline::bench {
 
-/// POV-Ray as a program of this machine, given one scene after the other. The files that it reads and writes are in a
-/// folder of their own, which goes with this object.
+/// POV-Ray as a program of this machine, given one scene after the other.
 class Povray {
  public:
   /// Nothing where there is no program `povray` in PATH.
   static std::optional<Povray> find();
-  ~Povray();
-  Povray(Povray&& other) noexcept;
-  Povray& operator=(Povray&&) = delete;
 
   const std::string& version() const { return version_; }
 
@@ -34,10 +32,11 @@ class Povray {
   TraceTime trace(const SolidScene& scene);
 
  private:
-  Povray() = default;
+  Povray();
   std::string run(const SolidScene& scene, const std::string& output);
 
-  std::filesystem::path folder_;
+  std::unique_ptr<ScratchFolder> folder_;
+  std::filesystem::path source_, log_, picture_;  ///< In that folder.
   std::string version_;
 };
 

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "bench/json.h"
@@ -11,25 +10,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const std::optional<Estimate>& value) {
-  if (!value) return nullptr;
-  return {{"median", value->median}, {"low", value->low}, {"high", value->high}, {"confidence", value->confidence}};
-}
-
-Json rounds_json(const std::vector<double>& rounds) {
-  Json list = Json::array();
-  for (const double seconds : rounds) list.push_back(std::isnan(seconds) ? Json(nullptr) : Json(seconds));
-  return list;
-}
-
 Json json_of(const SolidRow& row) {
   Json json{{"name", row.name},
             {"seconds", json_of(row.seconds)},
             {"elapsed_seconds", json_of(row.elapsed)},
             {"povray_time_over_this", json_of(row.ratio)},
             {"povray_elapsed_over_this", json_of(row.elapsed_ratio)},
-            {"round_seconds", rounds_json(row.round_seconds)},
-            {"round_elapsed_seconds", rounds_json(row.round_elapsed)}};
+            {"round_seconds", json_of_rounds(row.round_seconds)},
+            {"round_elapsed_seconds", json_of_rounds(row.round_elapsed)}};
   if (!row.stats) return json;
   const PaintStats& stats = *row.stats;
   json["rays"] = stats.rays;
@@ -148,7 +136,7 @@ std::string json_text(const SolidReport& report) {
                       {"standard_error", line.fit.standard_error ? Json(*line.fit.standard_error) : Json(nullptr)},
                       {"seconds_of_one", line.fit.factor}});
   }
-  const Json json{{"machine", Json::parse(json_text(report.machine))},
+  const Json json{{"machine", json_of(report.machine)},
                   {"povray", report.povray_version.empty() ? Json(nullptr) : Json(report.povray_version)},
                   {"width", report.plan.width},
                   {"height", report.plan.height},

@@ -53,7 +53,7 @@ void check(Operation operation, const Transition& step, const Expected& expected
   EXPECT_EQ(outcome, expected.outcome);
   EXPECT_EQ(was == is, expected.outcome == Outcome::discard);
   if (was != is) {
-    EXPECT_EQ(flips_normal(operation, step), expected.is_flipped);
+    EXPECT_EQ(flips_normal(operation, step, step.was_in_a != step.is_in_a), expected.is_flipped);
   }
 }
 
@@ -69,11 +69,15 @@ TEST(Boolean, IsTheTableOfTheCourse) {
   }
 }
 
-/// Of transitions that change both and are kept, A's boundary stays: the table's normals are those of A.
-TEST(Boolean, TakesTheFirstOfCoincidentBoundaries) {
-  for (const Row& row : table) {
-    EXPECT_EQ(is_from_a({row.was_in_a, row.is_in_a, row.was_in_b, row.is_in_b}), row.was_in_a != row.is_in_a);
+/// Faces that coincide look the same way where both operands are entered, and opposite ways where one is left.
+TEST(Boolean, TakesEitherOfCoincidentBoundaries) {
+  const Transition into_both{false, true, false, true}, out_of_both{true, false, true, false};
+  for (const Operation operation : {Operation::unite, Operation::intersect}) {
+    EXPECT_FALSE(flips_normal(operation, into_both, false));
+    EXPECT_FALSE(flips_normal(operation, out_of_both, false));
   }
+  EXPECT_TRUE(flips_normal(Operation::subtract, {false, true, true, false}, false));
+  EXPECT_TRUE(flips_normal(Operation::subtract, {true, false, false, true}, false));
 }
 
 TEST(Boolean, HasEachRowOnce) {

@@ -63,14 +63,10 @@ constexpr bool is_kept(Operation operation, const Transition& t) {
   return was_inside(operation, t) != is_inside(operation, t);
 }
 
-/// Whether A's boundary is the result's at a kept transition; else B's is. A's where both coincide: at a kept one, A
-/// then always changes as the result does.
-constexpr bool is_from_a(const Transition& t) { return t.was_in_a != t.is_in_a; }
-
-/// Whether the boundary's normal, at a kept transition, points into the result: where the operand is left as the result
-/// is entered, and the other way round.
-constexpr bool flips_normal(Operation operation, const Transition& t) {
-  return (is_from_a(t) ? t.is_in_a : t.is_in_b) != is_inside(operation, t);
+/// Whether the normal of A's boundary, else of B's, points into the result at a kept transition: where the operand is
+/// left as the result is entered, and the other way round. Where both change, either's boundary is the result's.
+constexpr bool flips_normal(Operation operation, const Transition& t, bool is_from_a) {
+  return (is_from_a ? t.is_in_a : t.is_in_b) != is_inside(operation, t);
 }
 
 }  // namespace sightline

@@ -259,7 +259,7 @@ class SolidEvaluator {
       i += order <= 0, j += order >= 0;
       if (!kept) continue;
       Boundary boundary = stack_[from];
-      boundary.is_flipped ^= (takes_a ? step.is_in_a : step.is_in_b) != is_inside(operation, step);
+      boundary.is_flipped ^= flips_normal(operation, step, takes_a);
       if (!take(boundary)) return;
     }
   }

@@ -1,10 +1,8 @@
 #pragma once
 /// Where a line crosses a face, as accurately as a level asks for.
 
+#include "sightline/csg/form_roots.h"
 #include "sightline/csg/settle.h"
-#include "sightline/math/quadratic.h"
-#include "sightline/math/quartic.h"
-#include "sightline/math/sized_double.h"
 
 namespace sightline {
 
@@ -23,19 +21,6 @@ class LocalRay : public FramedRay {
   Line<Number> line_;
 };
 
-namespace detail {
-
-template <class N>
-RootList roots_of(const solid::LinearForm<N>& form) {
-  return linear_roots(form.slope, form.level);
-}
-template <class N>
-RootList roots_of(const solid::QuadraticForm<N>& form) {
-  return quadratic_roots(form.a, form.b, form.c);
-}
-
-}  // namespace detail
-
 /// Levels above fast are certain of number, order and multiplicities, and t is off by less than 2^-46 of itself
 /// (watertight), by less than its last place (precise), or correctly rounded (exact).
 template <Level level, class S>
@@ -47,7 +32,7 @@ RootList face_roots(const S& surface, const LocalRay<level>& ray) {
     const auto vector = [](const std::array<double, 3>& v) { return Vec3d(v[0], v[1], v[2]); };
     return torus_roots(surface, {vector(line.origin), vector(line.direction)}, level);
   } else {
-    const RootList list = detail::roots_of(solid::form_of(surface, ray.line()));
+    const RootList list = roots_of(solid::form_of(surface, ray.line()));
     if constexpr (level == Level::fast) return list;
     if (level != Level::exact && is_accurate(list, level)) [[likely]]
       return list;
@@ -177,7 +162,7 @@ template <Level level>
         if constexpr (std::is_same_v<S, solid::Torus> || level == Level::fast) {
           return face_roots<level>(surface, local).roots[index];
         } else {
-          const RootList list = detail::roots_of(solid::form_of(surface, local.line()));
+          const RootList list = roots_of(solid::form_of(surface, local.line()));
           const Root& rough = list.roots[index];
           if (list.is_certain && is_accurate(rough.t, rough.radius, level)) return rough;
           return settled_root(surface, local, level, index);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-using Wide = solid::Triple<WideBall>;
+using Wide = Triple<WideBall>;
 
 double above(const WideBall& x) { return next_up(x.mid.high + (x.radius + std::fabs(x.mid.low)) * (1 + 0x1p-50)); }
 double below(const WideBall& x) { return -above(-x); }
@@ -41,10 +41,10 @@ Placement placement_of(const Frame& frame) {
   const auto entry = [&](std::size_t row, std::size_t column) { return WideBall(frame.rows[row][column]); };
   std::array<Wide, 3> rows;
   for (std::size_t i = 0; i < 3; ++i) rows[i] = {entry(i, 0), entry(i, 1), entry(i, 2)};
-  const WideBall determinant = solid::dot(rows[0], solid::cross(rows[1], rows[2]));
+  const WideBall determinant = dot(rows[0], cross(rows[1], rows[2]));
   Placement placement;
   for (std::size_t i = 0; i < 3; ++i) {
-    placement.axes[i] = solid::cross(rows[(i + 1) % 3], rows[(i + 2) % 3]);
+    placement.axes[i] = cross(rows[(i + 1) % 3], rows[(i + 2) % 3]);
     for (WideBall& x : placement.axes[i]) x = x / determinant;
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -86,8 +86,8 @@ struct Range {
 Range around(const WideBall& center, const WideBall& half) { return {below(center - half), above(center + half)}; }
 
 Range range_of(const solid::Sphere& sphere, const Row& row) {
-  const WideBall center = solid::dot(row.row, solid::triple<WideBall>(sphere.center)) + row.offset;
-  return around(center, WideBall(sphere.radius) * root_of_sum(solid::dot(row.row, row.row)));
+  const WideBall center = dot(row.row, triple<WideBall>(sphere.center)) + row.offset;
+  return around(center, WideBall(sphere.radius) * root_of_sum(dot(row.row, row.row)));
 }
 
 Range range_of(const solid::Box& box, const Row& row) {
@@ -109,25 +109,23 @@ Range range_of(const solid::Box& box, const Row& row) {
 
 /// A disk of a radius across an axis: how far it reaches along the row.
 WideBall reach_of_disk(double radius, const Vec3d& from, const Vec3d& to, const Row& row) {
-  const Wide axis = solid::difference(solid::triple<WideBall>(to), solid::triple<WideBall>(from));
-  const Wide across = solid::cross(row.row, axis);
-  return WideBall(radius) * root_of_sum(solid::dot(across, across) / solid::dot(axis, axis));
+  const Wide axis = difference(triple<WideBall>(to), triple<WideBall>(from));
+  const Wide across = cross(row.row, axis);
+  return WideBall(radius) * root_of_sum(dot(across, across) / dot(axis, axis));
 }
 
 Range hull(const Range& a, const Range& b) { return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)}; }
 
 Range range_of(const solid::Cylinder& cylinder, const Row& row) {
   const WideBall reach = reach_of_disk(cylinder.radius, cylinder.base, cylinder.top, row);
-  const auto end = [&](const Vec3d& p) {
-    return around(solid::dot(row.row, solid::triple<WideBall>(p)) + row.offset, reach);
-  };
+  const auto end = [&](const Vec3d& p) { return around(dot(row.row, triple<WideBall>(p)) + row.offset, reach); };
   return hull(end(cylinder.base), end(cylinder.top));
 }
 
 Range range_of(const solid::Cone& cone, const Row& row) {
   const WideBall reach = reach_of_disk(cone.radius, cone.apex, cone.base, row);
   const auto end = [&](const Vec3d& p, const WideBall& r) {
-    return around(solid::dot(row.row, solid::triple<WideBall>(p)) + row.offset, r);
+    return around(dot(row.row, triple<WideBall>(p)) + row.offset, r);
   };
   return hull(end(cone.apex, WideBall(0.0)), end(cone.base, reach));
 }
@@ -135,8 +133,8 @@ Range range_of(const solid::Cone& cone, const Row& row) {
 /// A tube around a circle: the circle's reach and the tube's.
 Range range_of(const solid::Torus& torus, const Row& row) {
   const WideBall circle = reach_of_disk(torus.major, Vec3d(0), torus.axis, row);
-  const WideBall tube = WideBall(torus.minor) * root_of_sum(solid::dot(row.row, row.row));
-  return around(solid::dot(row.row, solid::triple<WideBall>(torus.center)) + row.offset, circle + tube);
+  const WideBall tube = WideBall(torus.minor) * root_of_sum(dot(row.row, row.row));
+  return around(dot(row.row, triple<WideBall>(torus.center)) + row.offset, circle + tube);
 }
 
 /// An ellipsoid x.Ax + b.x + c <= 0 has the center -A^-1 b / 2 and, along a row w, the reach
@@ -147,10 +145,10 @@ Range range_of(const solid::Quadric& quadric, const Row& row) {
   const Wide x{WideBall(q[0]), half * WideBall(q[3]), half * WideBall(q[4])};
   const Wide y{half * WideBall(q[3]), WideBall(q[1]), half * WideBall(q[5])};
   const Wide z{half * WideBall(q[4]), half * WideBall(q[5]), WideBall(q[2])};
-  const WideBall minor = x[0] * y[1] - x[1] * y[0], determinant = solid::dot(x, solid::cross(y, z));
+  const WideBall minor = x[0] * y[1] - x[1] * y[0], determinant = dot(x, cross(y, z));
   const bool is_ellipsoid = sign_of(x[0]).value > 0 && sign_of(minor).value > 0 && sign_of(determinant).value > 0;
   if (!is_ellipsoid) return {-infinity, infinity};
-  const std::array<Wide, 3> adjugate{solid::cross(y, z), solid::cross(z, x), solid::cross(x, y)};
+  const std::array<Wide, 3> adjugate{cross(y, z), cross(z, x), cross(x, y)};
   const auto solved = [&](const Wide& v) {
     Wide result;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -160,10 +158,10 @@ Range range_of(const solid::Quadric& quadric, const Row& row) {
   };
   const Wide linear{WideBall(q[6]), WideBall(q[7]), WideBall(q[8])};
   const Wide twice_center = solved(linear);
-  const WideBall size = WideBall(0.25) * solid::dot(linear, twice_center) - WideBall(q[9]);
+  const WideBall size = WideBall(0.25) * dot(linear, twice_center) - WideBall(q[9]);
   if (above(size) < 0) return {infinity, -infinity};
-  const WideBall center = row.offset - half * solid::dot(row.row, twice_center);
-  return around(center, root_of_sum(size * solid::dot(row.row, solved(row.row))));
+  const WideBall center = row.offset - half * dot(row.row, twice_center);
+  return around(center, root_of_sum(size * dot(row.row, solved(row.row))));
 }
 
 Range range_of(const solid::HalfSpace&, const Row&) { return {-infinity, infinity}; }

@@ -4,22 +4,12 @@
 #include <optional>
 #include <variant>
 
+#include "sightline/csg/form_roots.h"
 #include "sightline/math/algebraic_root.h"
-#include "sightline/math/quadratic.h"
-#include "sightline/math/quartic.h"
 #include "sightline/math/rounding.h"
 
 namespace sightline {
 namespace {
-
-template <class N>
-RootList roots_of(const solid::LinearForm<N>& form) {
-  return linear_roots(form.slope, form.level);
-}
-template <class N>
-RootList roots_of(const solid::QuadraticForm<N>& form) {
-  return quadratic_roots(form.a, form.b, form.c);
-}
 
 ExactPolynomial polynomial_of(const solid::LinearForm<Dyadic>& form) { return {form.level, form.slope}; }
 ExactPolynomial polynomial_of(const solid::QuadraticForm<Dyadic>& form) { return {form.c, form.b + form.b, form.a}; }
@@ -53,11 +43,6 @@ RootList exact_roots(const Surface& surface, const FramedRay& ray) {
     list.add({t, root.compare(t) == 0 ? 0 : rounding_of(t), root.multiplicity()});
   }
   return list;
-}
-
-template <class N>
-RootList roots_of(const solid::QuarticForm<N>& form) {
-  return quartic_roots(form.coefficients);
 }
 
 /// By some hundred bits.

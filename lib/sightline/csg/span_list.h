@@ -39,8 +39,6 @@ struct SpanList {
   bool begins_inside : 1 = false;  ///< At -infinity.
 
   bool is_empty() const { return count == 0 && !begins_inside; }
-  /// Everywhere.
-  bool is_all() const { return count == 0 && begins_inside; }
 };
 static_assert(sizeof(SpanList) == 8);
 

@@ -12,7 +12,6 @@ struct Interval {
 
   /// True as well when an end is NaN, so that nothing is found in a broken interval.
   bool is_empty() const { return !(lo <= hi); }
-  bool contains(T t) const { return lo <= t && t <= hi; }
 };
 
 }  // namespace sightline

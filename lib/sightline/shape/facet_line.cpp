@@ -23,19 +23,6 @@ int sign_in_any(const Value& value) {
   return known_sign(value.template operator()<Dyadic>()).value;
 }
 
-template <class N>
-using Triple = std::array<N, 3>;
-
-template <class N>
-Triple<N> difference(const Vec3d& a, const Triple<N>& b) {
-  return {N(a.x) - b[0], N(a.y) - b[1], N(a.z) - b[2]};
-}
-
-template <class N>
-Triple<N> cross(const Triple<N>& a, const Triple<N>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 std::size_t index(int axis) { return static_cast<std::size_t>(axis); }
 
 }  // namespace
@@ -101,8 +88,7 @@ FacetLine::Verdict FacetLine::look(const solid::Facet& facet, Signs& signs) cons
 int FacetLine::edge_sign(const Vec3d& a, const Vec3d& b) const {
   return sign_in_any([&]<class N>() {
     const Line<N> line = ray_.in<N>();
-    const Triple<N> across = cross(difference(a, line.origin), difference(b, line.origin));
-    return line.direction[0] * across[0] + line.direction[1] * across[1] + line.direction[2] * across[2];
+    return dot(line.direction, cross(difference(triple<N>(a), line.origin), difference(triple<N>(b), line.origin)));
   });
 }
 

@@ -5,12 +5,13 @@
 #include <cstddef>
 
 #include "sightline/math/ray.h"
+#include "sightline/math/triple.h"
 
 namespace sightline {
 
 template <class N>
 struct Line {
-  std::array<N, 3> origin, direction;
+  Triple<N> origin, direction;
 };
 
 /// Where a shape stands: rows of an affine map from the world to the shape's own coordinates. These doubles say where,
@@ -33,12 +34,7 @@ class FramedRay {
   /// The line in the world.
   template <class N>
   Line<N> in_world() const {
-    Line<N> world;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      world.origin[axis] = N(ray_->origin[static_cast<int>(axis)]);
-      world.direction[axis] = N(ray_->direction[static_cast<int>(axis)]);
-    }
-    return world;
+    return {triple<N>(ray_->origin), triple<N>(ray_->direction)};
   }
 
   /// The line in the frame, computed in N: exact where N is.
@@ -49,11 +45,9 @@ class FramedRay {
     Line<N> local;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto& row = frame_->rows[i];
-      const auto mapped = [&](const std::array<N, 3>& v) {
-        return N(row[0]) * v[0] + N(row[1]) * v[1] + N(row[2]) * v[2];
-      };
-      local.direction[i] = mapped(world.direction);
-      local.origin[i] = mapped(world.origin) + N(row[3]);
+      const Triple<N> axes{N(row[0]), N(row[1]), N(row[2])};
+      local.direction[i] = dot(axes, world.direction);
+      local.origin[i] = dot(axes, world.origin) + N(row[3]);
     }
     return local;
   }

@@ -89,26 +89,6 @@ struct QuarticForm {
   std::array<N, 5> coefficients;
 };
 
-template <class N>
-using Triple = std::array<N, 3>;
-
-template <class N>
-N dot(const Triple<N>& a, const Triple<N>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <class N>
-Triple<N> triple(const Vec3d& v) {
-  return {N(v.x), N(v.y), N(v.z)};
-}
-template <class N>
-Triple<N> difference(const Triple<N>& a, const Triple<N>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-template <class N>
-Triple<N> cross(const Triple<N>& a, const Triple<N>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// The axis that a vector runs along, or -1.
 inline int axis_along(const Vec3d& v) {
   const int count = (v.x != 0) + (v.y != 0) + (v.z != 0);

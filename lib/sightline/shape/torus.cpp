@@ -17,7 +17,7 @@ namespace {
 ///   S1  w is the exact point, rounded to double-double.
 struct SeenLine {
   double t0;
-  std::array<DoubleDouble, 3> w;
+  Triple<DoubleDouble> w;
 };
 
 SeenLine seen_from(const Torus& torus, const Ray<double>& ray) {
@@ -30,12 +30,7 @@ SeenLine seen_from(const Torus& torus, const Ray<double>& ray) {
   return line;
 }
 
-template <class N>
-std::array<N, 3> array_of(const Vec3d& v) {
-  return {N(v.x), N(v.y), N(v.z)};
-}
-
-Vec3d leading_of(const std::array<DoubleDouble, 3>& w) { return {w[0].high, w[1].high, w[2].high}; }
+Vec3d leading_of(const Triple<DoubleDouble>& w) { return {w[0].high, w[1].high, w[2].high}; }
 
 /// Sizes that bound all intermediate results.
 struct Sizes {
@@ -75,13 +70,13 @@ std::array<DoubleBall, 5> bounded_polynomial(const Torus& torus, const Sizes& si
 }
 
 std::array<WideBall, 5> wide_polynomial(const Torus& torus, const Ray<double>& ray, const SeenLine& line) {
-  std::array<WideBall, 3> w;
+  Triple<WideBall> w;
   for (std::size_t i = 0; i < 3; ++i) {
     // S1; where digits may be lost to underflow as well.
     w[i] = {line.w[i], 0x1p-99 * std::fabs(line.w[i].high) + 0x1p-1000};
   }
-  return detail::torus_polynomial(array_of<WideBall>(torus.axis), WideBall(torus.major), WideBall(torus.minor), w,
-                                  array_of<WideBall>(ray.direction));
+  return detail::torus_polynomial(triple<WideBall>(torus.axis), WideBall(torus.major), WideBall(torus.minor), w,
+                                  triple<WideBall>(ray.direction));
 }
 
 void shift(RootList& list, double t0) {
@@ -97,8 +92,8 @@ RootList float_roots(const Torus& torus, const Ray<double>& ray, const SeenLine&
   const double length = glm::length(ray.direction);
   const Vec3d w = leading_of(line.w), d = ray.direction / length, a = glm::normalize(torus.axis);
   RootList list =
-      quartic_roots(detail::torus_polynomial(array_of<float>(a), static_cast<float>(torus.major),
-                                             static_cast<float>(torus.minor), array_of<float>(w), array_of<float>(d)));
+      quartic_roots(detail::torus_polynomial(triple<float>(a), static_cast<float>(torus.major),
+                                             static_cast<float>(torus.minor), triple<float>(w), triple<float>(d)));
   for (int i = 0; i < list.count; ++i) {
     double& t = list.roots[static_cast<std::size_t>(i)].t;
     t = static_cast<float>(line.t0 + t / length);
@@ -147,7 +142,7 @@ RootList rescaled_roots(const Torus& torus, const Ray<double>& ray, Level level)
 
 /// The sum of squares of high + low, up to what low^2 adds, where low is some roundings of what high comes from.
 /// Rounding errors of the first order are kept (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005).
-[[gnu::always_inline]] inline DoubleDouble sum_of_squares(const std::array<DoubleDouble, 3>& v) {
+[[gnu::always_inline]] inline DoubleDouble sum_of_squares(const Triple<DoubleDouble>& v) {
   const TwoTerms x = two_product(v[0].high, v[0].high), y = two_product(v[1].high, v[1].high),
                  z = two_product(v[2].high, v[2].high);
   const TwoTerms xy = two_sum(x.high, y.high), xyz = two_sum(xy.high, z.high);
@@ -160,7 +155,7 @@ class WideTorus {
  public:
   /// Sizes are moderate.
   WideTorus(const Torus& torus, const Ray<double>& ray, const Sizes& sizes)
-      : ray_(ray), axis_(torus.axis), size2_(sum_of_squares(array_of<DoubleDouble>(torus.axis))) {
+      : ray_(ray), axis_(torus.axis), size2_(sum_of_squares(triple<DoubleDouble>(torus.axis))) {
     for (int i = 0; i < 3; ++i) {
       from_center_[static_cast<std::size_t>(i)] = DoubleDouble(two_sum(ray.origin[i], -torus.center[i]));
     }
@@ -172,13 +167,13 @@ class WideTorus {
   }
 
   [[gnu::always_inline]] BoundedValue<DoubleDouble> at(double t) const {
-    std::array<DoubleDouble, 3> q;
+    Triple<DoubleDouble> q;
     for (int i = 0; i < 3; ++i) {
       const auto k = static_cast<std::size_t>(i);
       q[k] = from_center_[k] + DoubleDouble(two_product(t, ray_.direction[i]));
     }
     const DoubleDouble g = sum_of_squares(q) + difference_;
-    const DoubleDouble v2 = sum_of_squares({cross(1, 2, q), cross(2, 0, q), cross(0, 1, q)});
+    const DoubleDouble v2 = sum_of_squares({cross_part(1, 2, q), cross_part(2, 0, q), cross_part(0, 1, q)});
     const DoubleDouble value = size2_ * (g * g) - scale_ * v2;
     // Of sums of absolute values, as in S2, q is off by 4 u^2, its square and that of v by fewer than 50, and the whole
     // by fewer than 2^8: 2^-98, and twice that.
@@ -189,7 +184,7 @@ class WideTorus {
 
  private:
   /// A component of axis x q.
-  DoubleDouble cross(int i, int j, const std::array<DoubleDouble, 3>& q) const {
+  DoubleDouble cross_part(int i, int j, const Triple<DoubleDouble>& q) const {
     const DoubleDouble &qi = q[static_cast<std::size_t>(i)], &qj = q[static_cast<std::size_t>(j)];
     const TwoTerms a = two_product(axis_[i], qj.high), b = two_product(-axis_[j], qi.high);
     const TwoTerms sum = two_sum(a.high, b.high);
@@ -198,7 +193,7 @@ class WideTorus {
 
   const Ray<double>& ray_;
   Vec3d axis_;
-  std::array<DoubleDouble, 3> from_center_;
+  Triple<DoubleDouble> from_center_;
   DoubleDouble size2_, difference_, scale_;
   double a2_, radius2_;
 };
@@ -250,8 +245,8 @@ RootList torus_roots(const Torus& torus, const Ray<double>& ray, Level level) {
   if (is_moderate && misses_sphere(torus, w, ray.direction)) return {};
   if (level == Level::fast) return float_roots(torus, ray, line);
 
-  const std::array<double, 5> c = detail::torus_polynomial(array_of<double>(torus.axis), torus.major, torus.minor,
-                                                           array_of<double>(w), array_of<double>(ray.direction));
+  const std::array<double, 5> c = detail::torus_polynomial(triple<double>(torus.axis), torus.major, torus.minor,
+                                                           triple<double>(w), triple<double>(ray.direction));
   RootList list;
   list.is_certain = false;
   if (level == Level::watertight) {

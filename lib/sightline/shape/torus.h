@@ -24,21 +24,12 @@ struct Torus {
 
 namespace detail {
 
-template <class N>
-std::array<N, 3> cross(const std::array<N, 3>& a, const std::array<N, 3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-template <class N>
-N dot(const std::array<N, 3>& a, const std::array<N, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// Of the line w + t d, w seen from the center:
 ///   (a.a) (q.q + R^2 - r^2)^2 - 4 R^2 |a x q|^2 with q = w + t d.
 template <class N>
-std::array<N, 5> torus_polynomial(const std::array<N, 3>& a, const N& major, const N& minor, const std::array<N, 3>& w,
-                                  const std::array<N, 3>& d) {
-  const std::array<N, 3> u = cross(a, d), v = cross(a, w);
+std::array<N, 5> torus_polynomial(const Triple<N>& a, const N& major, const N& minor, const Triple<N>& w,
+                                  const Triple<N>& d) {
+  const Triple<N> u = cross(a, d), v = cross(a, w);
   const N major2 = major * major, scale = major2 + major2 + major2 + major2, size = dot(a, a);
   const N g2 = dot(d, d), wd = dot(w, d), g1 = wd + wd, g0 = dot(w, w) + (major2 - minor * minor);
   const N uv = dot(u, v), mixed = g2 * g0, odd = g1 * g0, steep = g2 * g1;
@@ -51,13 +42,8 @@ std::array<N, 5> torus_polynomial(const std::array<N, 3>& a, const N& major, con
 /// Whose roots are the parameters at which the line meets the torus, lowest coefficient first. Negative inside.
 template <class N>
 std::array<N, 5> polynomial(const Torus& torus, const Line<N>& line) {
-  std::array<N, 3> axis, from_center;
-  for (int i = 0; i < 3; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    axis[k] = N(torus.axis[i]);
-    from_center[k] = line.origin[k] - N(torus.center[i]);
-  }
-  return detail::torus_polynomial(axis, N(torus.major), N(torus.minor), from_center, line.direction);
+  return detail::torus_polynomial(triple<N>(torus.axis), N(torus.major), N(torus.minor),
+                                  difference(line.origin, triple<N>(torus.center)), line.direction);
 }
 
 /// Rounded outward, otherwise tight; of infinite size where that leaves the range of float.

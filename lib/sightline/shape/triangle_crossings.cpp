@@ -5,53 +5,24 @@
 #include <limits>
 
 #include "sightline/math/algebraic_root.h"
+#include "sightline/shape/solid_shape.h"
 
 namespace sightline {
 namespace {
 
-template <class N>
-using Triple = std::array<N, 3>;
-
-template <class N>
-Triple<N> difference(const Vec3d& a, const Triple<N>& b) {
-  return {N(a.x) - b[0], N(a.y) - b[1], N(a.z) - b[2]};
-}
-template <class N>
-Triple<N> cross(const Triple<N>& a, const Triple<N>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-template <class N>
-N dot(const Triple<N>& a, const Triple<N>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/// The triangle's plane along the line: slope t = rise.
-template <class N>
-struct PlaneAlong {
-  N slope, rise;
-};
-
-template <class N>
-PlaneAlong<N> plane_along(const Line<N>& line, const solid::Facet& facet) {
-  const auto& [a, b, c] = facet.vertices;
-  const Triple<N> from{N(a.x), N(a.y), N(a.z)};
-  const Triple<N> normal = cross(difference(b, from), difference(c, from));
-  return {dot(normal, line.direction), dot(normal, difference(a, line.origin))};
-}
-
-/// A crossing at rise / slope; the slope is positive.
+/// A crossing where slope t + level is 0; the slope is positive, the level is not.
 struct Crossed {
   std::uint32_t triangle;
-  Dyadic slope, rise;
+  Dyadic slope, level;
   DoubleBall t;
 };
 
 std::strong_ordering compare(const Crossed& a, const Crossed& b) {
   if (const Sign sign = sign_of(a.t - b.t); sign.is_certain && sign.value != 0) return sign.value <=> 0;
-  return a.rise * b.slope <=> b.rise * a.slope;
+  return b.level * a.slope <=> a.level * b.slope;
 }
 
-double nearest(const Crossed& crossed) { return real_roots({-crossed.rise, crossed.slope}).front().nearest(); }
+double nearest(const Crossed& crossed) { return real_roots({crossed.level, crossed.slope}).front().nearest(); }
 
 template <class See>
 void for_each_facet(std::span<const Vec3d> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
@@ -78,14 +49,14 @@ std::vector<TriangleCrossing> triangle_crossings(const FramedRay& ray, std::span
   std::vector<Crossed> crossed;
   for_each_facet(vertices, triangles, [&](std::uint32_t id, const solid::Facet& facet) {
     if (!line.crosses(facet)) return;
-    auto [slope, rise] = plane_along(exact, facet);
+    auto [slope, level] = solid::form_of(facet, exact);
     if (slope.sign() < 0) {
       slope = -slope;
-      rise = -rise;
+      level = -level;
     }
-    if (rise.sign() < 0) return;
-    const auto near = plane_along(bounded, facet);
-    crossed.push_back({id, slope, rise, near.rise / near.slope});
+    if (level.sign() > 0) return;
+    const auto near = solid::form_of(facet, bounded);
+    crossed.push_back({id, slope, level, -near.level / near.slope});
   });
   std::stable_sort(crossed.begin(), crossed.end(), [](const auto& a, const auto& b) { return compare(a, b) < 0; });
   std::vector<TriangleCrossing> crossings;
@@ -107,14 +78,14 @@ std::vector<TriangleCrossing> rounded_triangle_crossings(const FramedRay& ray, s
   for_each_facet(vertices, triangles, [&](std::uint32_t id, const solid::Facet& facet) {
     float least = 0, most = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const float side = dot(line.direction, cross(difference(facet.vertices[i], line.origin),
-                                                   difference(facet.vertices[(i + 1) % 3], line.origin)));
+      const auto a = triple<float>(facet.vertices[i]), b = triple<float>(facet.vertices[(i + 1) % 3]);
+      const float side = dot(line.direction, cross(difference(a, line.origin), difference(b, line.origin)));
       least = std::min(least, side);
       most = std::max(most, side);
     }
     if (least < 0 && most > 0) return;
-    const auto [slope, rise] = plane_along(line, facet);
-    if (const float t = rise / slope; slope != 0 && t >= 0) crossed.push_back({t, id});
+    const auto [slope, level] = solid::form_of(facet, line);
+    if (const float t = -level / slope; slope != 0 && t >= 0) crossed.push_back({t, id});
   });
   std::stable_sort(crossed.begin(), crossed.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
   std::vector<TriangleCrossing> crossings;
