@@ -10,10 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const Estimate& value) {
-  return {{"median", value.median}, {"low", value.low}, {"high", value.high}, {"confidence", value.confidence}};
-}
-
 std::string share_text(double share) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%g", share);
@@ -76,7 +72,7 @@ std::string json_text(const TorusReport& report) {
                       {"time_over_ferrari", json_of(row.ratio)},
                       {"wrong_counts", row.wrong_counts},
                       {"worst_error", row.worst_error},
-                      {"round_seconds", row.round_seconds}});
+                      {"round_seconds", json_of_rounds(row.round_seconds)}});
     }
     parts.push_back({{"minor_over_major", part.minor},
                      {"rays", part.name},
@@ -85,8 +81,7 @@ std::string json_text(const TorusReport& report) {
                      {"root_count", part.roots},
                      {"rows", rows}});
   }
-  const Json json{
-      {"machine", Json::parse(json_text(report.machine))}, {"rounds", report.plan.rounds}, {"parts", parts}};
+  const Json json{{"machine", json_of(report.machine)}, {"rounds", report.plan.rounds}, {"parts", parts}};
   return json.dump(2) + '\n';
 }
 
