@@ -32,6 +32,27 @@ V smaller(V a, V b) {
   }
 }
 
+/// Whether the processor looks up two vectors at once.
+template <class D>
+inline constexpr bool can_look_up_two = HWY_TARGET <= HWY_AVX3 && sizeof(hn::Vec<D>) >= 32;
+
+/// Of the 2 n numbers at `table`, aligned as vectors of n lanes are, the one that each lane's index says; its bits
+/// above those are not looked at. What later versions of Highway call TwoTablesLookupLanes.
+template <class D, class VI>
+HWY_INLINE hn::Vec<D> look_up_two(D d, const hn::TFromD<D>* table, VI index) {
+  static_assert(can_look_up_two<D>);
+#if HWY_TARGET <= HWY_AVX3
+  const auto low = hn::Load(d, table).raw, high = hn::Load(d, table + hn::MaxLanes(d)).raw;
+  if constexpr (sizeof(low) == 32) {
+    if constexpr (sizeof(hn::TFromD<D>) == 4) return hn::Vec<D>{_mm256_permutex2var_ps(low, index.raw, high)};
+    else return hn::Vec<D>{_mm256_permutex2var_pd(low, index.raw, high)};
+  } else {
+    if constexpr (sizeof(hn::TFromD<D>) == 4) return hn::Vec<D>{_mm512_permutex2var_ps(low, index.raw, high)};
+    else return hn::Vec<D>{_mm512_permutex2var_pd(low, index.raw, high)};
+  }
+#endif
+}
+
 /// Has the cache lines of [begin, begin + bytes) brought near, without waiting for them.
 inline void prefetch(const void* begin, std::size_t bytes) {
   constexpr std::size_t line = 64;
