@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <functional>
 #include <limits>
 
+#include "bench/processor_time.h"
 #include "bench/solids/povray.h"
 #include "bench/verify.h"
 
@@ -14,13 +14,6 @@ namespace sightline::bench {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-/// Of this thread on a processor.
-double processor_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1'000'000'000;
-}
 
 /// Of POV-Ray's over one's own, where both took part.
 std::optional<Estimate> ratio_of(const std::vector<double>& povray, const std::vector<double>& own) {

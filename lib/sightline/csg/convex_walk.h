@@ -57,6 +57,9 @@ class ConvexWalk {
     return std::fabs(difference) * (1 - 0x1p-40) > known ? (difference > 0 ? 1 : -1) : 0;
   }
 
+  /// With the place where the walk is: a limit, as long as that is on no face.
+  int order_here(const Place& a) const { return at_.primitive == no_primitive ? order(a, at_.t) : order(a, at_); }
+
   detail::QuickSpan span_of(std::uint32_t primitive) {
     probe_.primitive(primitive);
     return quick_span(solid_.primitives()[primitive], nullptr, ray_);
@@ -127,7 +130,7 @@ class ConvexWalk {
         const detail::QuickSpan span = span_of(primitive);
         if (span.kind != Kind::span) return span.kind == Kind::empty;
         const Place out = place(primitive, span.leave);
-        const int begins = order(place(primitive, span.enter), at_), ends = order(out, at_);
+        const int begins = order_here(place(primitive, span.enter)), ends = order_here(out);
         if (begins > 0 || ends < 0) return true;
         if (begins == 0 || ends == 0) return false;
         at_ = out;

@@ -18,6 +18,8 @@ namespace sightline {
 ///       is missed by a padded ray.
 ///   V3  On the way, t need only be known well enough to put boundaries in order; those reported are as accurate as the
 ///       level asks for.
+///   V4  The first boundary is that of the list in every field: limits are compared with what is reported, and what is
+///       nearer to them than that may be off is not left out.
 template <Level level, class Probe = NoSolidProbe>
 class SolidEvaluator {
  public:
@@ -62,8 +64,9 @@ class SolidEvaluator {
   /// The same without a walk along convex parts.
   std::optional<Boundary> first_by_lists(double t_min, double t_max) {
     stack_.truncate(0);
-    return solid_.options().stop_early ? first_of(last_node(), {t_min, t_max})
-                                       : first_in(evaluate(last_node(), {t_min, t_max}), {t_min, t_max});
+    limits_ = {t_min, t_max};
+    const Window window{t_min - limit_slack<level>(t_min), t_max + limit_slack<level>(t_max)};
+    return solid_.options().stop_early ? first_of(last_node(), window) : first_in(evaluate(last_node(), window));
   }
 
  private:
@@ -231,26 +234,29 @@ class SolidEvaluator {
 
   // ---- The first boundary
 
-  /// Of those that a step of a merge reports, the first behind the window's begin ends it.
-  bool is_first(const Boundary& boundary, const Window& window, std::optional<Boundary>& first) const {
-    if (!is_behind(boundary, window.lo)) return false;
-    if (!is_behind(boundary, window.hi)) first = refined(boundary);
-    return true;
+  std::optional<Boundary> within_limits(const Boundary& boundary) const {
+    return is_behind(boundary, limits_.hi) ? std::nullopt : std::optional(refined(boundary));
   }
 
-  std::optional<Boundary> first_in(const SpanList& list, const Window& window) const {
-    std::optional<Boundary> first;
+  /// The first one behind the lower limit.
+  const Boundary* next_in(const SpanList& list) const {
     for (const Boundary& boundary : stack_[list]) {
-      if (is_first(boundary, window, first)) break;
+      if (is_behind(boundary, limits_.lo)) return &boundary;
     }
-    return first;
+    return nullptr;
+  }
+  std::optional<Boundary> first_in(const SpanList& list) const {
+    const Boundary* const next = next_in(list);
+    return next ? within_limits(*next) : std::nullopt;
   }
 
-  /// Whether the ray is inside just behind the window's begin.
-  bool begins_within(const SpanList& list, const Window& window) const {
+  /// Whether the ray is inside just behind the lower limit, or may be.
+  bool may_begin_within(const SpanList& list) const {
+    const double near = limit_slack<level>(limits_.lo);
     bool is_inside = list.begins_inside;
     for (const Boundary& boundary : stack_[list]) {
-      if (is_behind(boundary, window.lo)) break;
+      if (boundary.t - boundary.radius > limits_.lo + near) break;
+      if (boundary.t + boundary.radius >= limits_.lo - near) return true;
       is_inside = !is_inside;
     }
     return is_inside;
@@ -262,10 +268,10 @@ class SolidEvaluator {
       probe_.pruned(index);
       return std::nullopt;  // nor has a complement a boundary here
     }
-    if (node.is_primitive || node.is_complement) return first_in(evaluate(index, window), window);
-    if (node.operation == Operation::unite && !solid_.index_of(node)) return first_of_union(index, window);
-    if (node.operation == Operation::subtract) return first_of_difference(index, window);
-    return first_in(evaluate(index, window), window);
+    const bool is_plain = !node.is_primitive && !node.is_complement;
+    if (is_plain && node.operation == Operation::unite && !solid_.index_of(node)) return first_of_union(index, window);
+    if (is_plain && node.operation == Operation::subtract) return first_of_difference(index, window);
+    return first_in(evaluate(index, window));
   }
 
   /// From outside of all operands, the nearest of their first boundaries; from inside of one, by the whole list.
@@ -276,18 +282,19 @@ class SolidEvaluator {
     for (const std::uint32_t child : solid_.children(solid_.nodes()[index])) {
       const std::uint32_t size = stack_.size();
       const SpanList list = evaluate(child, window);
-      if (begins_within(list, window)) {
+      if (may_begin_within(list)) {
         stack_.truncate(size);
-        return first_in(evaluate(index, whole), whole);
+        return first_in(evaluate(index, whole));
       }
-      const auto boundary = first_in(list, window);
+      // What lies beyond the window may be no boundary, but is behind any that is.
+      if (const Boundary* const next = next_in(list)) {
+        const int order = nearest ? order_(*next, *nearest) : -1;
+        if (order < 0 || (order == 0 && next->primitive < nearest->primitive)) nearest = *next;
+        window.hi = std::min(window.hi, nearest->t + nearest->radius);
+      }
       stack_.truncate(size);
-      if (!boundary) continue;
-      const int order = nearest ? order_(*boundary, *nearest) : -1;
-      if (order < 0 || (order == 0 && boundary->primitive < nearest->primitive)) nearest = boundary;
-      window.hi = std::min(window.hi, nearest->t + nearest->radius);
     }
-    return nearest;
+    return nearest ? within_limits(*nearest) : std::nullopt;
   }
 
   /// The spans of the minuend one after the other, each alone less what is subtracted.
@@ -309,13 +316,12 @@ class SolidEvaluator {
       const Window both =
           solid_.options().skip_empty ? Window{std::max(own.lo, window.lo), std::min(own.hi, window.hi)} : window;
       const SpanList rest = folded(index, node, solid_.children(node).subspan(1), both);
-      std::optional<Boundary> first;
-      bool is_done = false;
+      std::optional<Boundary> next;
       merge(index, Operation::subtract, span, rest, [&](const Boundary& boundary) {
-        is_done = is_first(boundary, window, first);
-        return !is_done;
+        if (is_behind(boundary, limits_.lo)) next = boundary;
+        return !next;
       });
-      if (is_done) return first;
+      if (next) return within_limits(*next);
       stack_.truncate(size);
     }
     return std::nullopt;
@@ -326,6 +332,7 @@ class SolidEvaluator {
   const SolidRay<level>& ray_;
   BoundaryOrder<level> order_;
   Probe& probe_;
+  Window limits_{};  ///< As given to first().
   SpanStack stack_;
   OperandList found_;
 };

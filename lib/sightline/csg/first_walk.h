@@ -24,6 +24,12 @@ Boundary refined_boundary(const Solid& solid, const Boundary& boundary, const Qu
   return refined;
 }
 
+/// More than reported boundaries of one true t may be apart: what is no farther beyond a limit is not left out.
+template <Level level>
+double limit_slack(double t) {
+  return (level == Level::fast ? 0x1p-16 : 0x1p-44) * std::fabs(t);
+}
+
 /// Whether the boundary would be reported behind t.
 template <Level level>
 bool is_behind(const Solid& solid, const Boundary& boundary, double t, const QuickRay<level>& ray) {
@@ -42,11 +48,12 @@ template <Level level, class Probe>
   return ConvexWalk<level, Probe>(solid, parts, ray, probe, found).run(t_min, t_max, first);
 }
 
-/// The first boundary with t_min < t, as far as it is not surely beyond t_max; not refined.
+/// The first boundary with t_min < t, as far as it is not clearly beyond t_max; not refined.
 template <Level level, class Probe>
 [[gnu::always_inline]] inline WalkOutcome walk(const Solid& solid, const QuickRay<level>& ray, double t_min,
                                                double t_max, Probe& probe, Boundary& first) {
   const ConvexParts* parts = solid.convex_parts();
+  t_max += limit_slack<level>(t_max);
   if (Probe::sees_transitions || !parts) return WalkOutcome::unclear;
   if (!ray.is_valid()) return WalkOutcome::none;
   if constexpr (LaneSpans<level>::is_possible) {
