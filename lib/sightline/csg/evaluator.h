@@ -47,8 +47,6 @@ class SolidEvaluator {
 
   /// The first boundary with t_min < t <= t_max.
   std::optional<Boundary> first(double t_min, double t_max) {
-    stack_.truncate(0);
-    if (!ray_.is_valid()) return std::nullopt;
     Boundary boundary;
     switch (walk_first(solid_, ray_, t_min, t_max, probe_, boundary)) {
       case WalkOutcome::found:
@@ -64,6 +62,7 @@ class SolidEvaluator {
   /// The same without a walk along convex parts.
   std::optional<Boundary> first_by_lists(double t_min, double t_max) {
     stack_.truncate(0);
+    if (!ray_.is_valid()) return std::nullopt;
     limits_ = {t_min, t_max};
     const Window window{t_min - limit_slack<level>(t_min), t_max + limit_slack<level>(t_max)};
     return solid_.options().stop_early ? first_of(last_node(), window) : first_in(evaluate(last_node(), window));
