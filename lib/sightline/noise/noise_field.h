@@ -26,6 +26,8 @@ class NoiseField {
 
   const FieldOptions& options() const { return options_; }
 
+  /// That of the first octave, in lattice cells: without frequency or warp.
+  const Noise& noise() const { return octaves_.front().noise; }
   /// How many octaves a footprint leaves to compute.
   int octaves_within(double footprint) const;
   /// The sum of all octaves' amplitudes: what bounds of noise are multiplied by.
