@@ -32,6 +32,9 @@ class NoiseField {
   int octaves_within(double footprint) const;
   /// The sum of all octaves' amplitudes: what bounds of noise are multiplied by.
   double amplitude() const;
+  /// What a footprint takes from the octaves: the root of the sum of their amplitudes' squares, less what is left of
+  /// each. Times the standard deviation of one octave, it is that of what is not seen.
+  double lost_amplitude(double footprint) const;
 
   template <int dims, class T>
   T operator()(const glm::vec<dims, T>& p, T footprint = 0) const;
