@@ -242,14 +242,8 @@ void PartitionPicture::show_in(vtkRenderWindow& window, double scale) const {
 }
 
 void PartitionPicture::write_png(const std::filesystem::path& path) const {
-  constexpr int oversampling = 2;
-  New<vtkRenderWindow> window = New<vtkRenderWindow>::New();
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0);
-  window->SetSize(view.width * oversampling, view.height * oversampling);
-  show_in(*window, oversampling);
-  window->Render();
-  write_window(*window, oversampling, path);
+  write_picture(path, view.width, view.height,
+                [this](vtkRenderWindow& window, int scale) { show_in(window, scale); });
 }
 
 std::string with_commas(std::size_t count) {

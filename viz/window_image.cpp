@@ -10,6 +10,9 @@
 
 namespace sightline::viz {
 
+namespace {
+
+/// Writes what the window shows, each `oversampling` x `oversampling` pixels averaged to one, as light adds.
 void write_window(vtkRenderWindow& window, int oversampling, const std::filesystem::path& path) {
   const int* size = window.GetSize();
   const int width = size[0], height = size[1];
@@ -33,6 +36,20 @@ void write_window(vtkRenderWindow& window, int oversampling, const std::filesyst
     }
   }
   write_image(path, image);
+}
+
+}  // namespace
+
+void write_picture(const std::filesystem::path& path, int width, int height,
+                   const std::function<void(vtkRenderWindow&, int)>& show) {
+  constexpr int oversampling = 2;
+  auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(width * oversampling, height * oversampling);
+  show(*window, oversampling);
+  window->Render();
+  write_window(*window, oversampling, path);
 }
 
 }  // namespace sightline::viz

@@ -113,14 +113,7 @@ void NoisePicture::show_in(vtkRenderWindow& window, int scale) const {
 }
 
 void NoisePicture::write_png(const std::filesystem::path& path) const {
-  constexpr int oversampling = 2;
-  auto window = New<vtkRenderWindow>::New();
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0);
-  window->SetSize(width * oversampling, height * oversampling);
-  show_in(*window, oversampling);
-  window->Render();
-  write_window(*window, oversampling, path);
+  write_picture(path, width, height, [this](vtkRenderWindow& window, int scale) { show_in(window, scale); });
 }
 
 }  // namespace sightline::viz
