@@ -1,6 +1,7 @@
 /// sightline-view: how a structure divides a scene, as a window, a picture or data.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
@@ -12,6 +13,7 @@
 #include "viz/noise/noise_command.h"
 #include "viz/partition_window.h"
 #include "viz/structure.h"
+#include "viz/texture/texture_commands.h"
 #include "viz/view_options.h"
 #include "viz/virtual_screen.h"
 
@@ -21,7 +23,7 @@ namespace {
 constexpr int success = 0, failure = 1, wrong_usage = 2;
 
 constexpr const char* about =
-    R"(Draws how a structure divides space, what a ray makes of a solid, and what noise is made of.
+    R"(Draws how a structure divides space, what a ray makes of a solid, and what noise and textures are made of.
 
 Examples
   sightline-view list
@@ -39,8 +41,14 @@ Examples
       a ray's interval ladder through a solid: see csg --help
   sightline-view noise --kind perlin --out noise.png
       noise from its lattice to its spectrum: see noise --help
+  sightline-view wood --tune --out tuning.png
+      the course's wood, and what its knobs do: see wood --help
+  sightline-view normals --out normals.png
+      dents that are seen and are not there: see normals --help
 
 Exit status: 0 done, 1 failure, 2 wrong usage.)";
+
+const std::string subcommand_names = "partitions, csg, noise, wood, normals or list";
 
 struct Arguments {
   std::string accelerator = "kd-tree", scene = "teapot", out, depth, slice, size = "1200x900",
@@ -146,6 +154,8 @@ int run(int argc, char** argv) {
   CLI::App* command = app.add_subcommand("partitions", "The cells of a structure over the mesh");
   CsgCommand csg(app);
   NoiseCommand noise(app);
+  WoodCommand wood(app);
+  NormalsCommand normals(app);
   command->fallthrough();
   listing->fallthrough();
   command->add_option("--accel", arguments.accelerator, "The structure, see --list; default kd-tree")
@@ -189,15 +199,20 @@ int run(int argc, char** argv) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
     const std::string first = argc > 1 ? argv[1] : "-";
-    if (first[0] != '-' && first != "partitions" && first != "csg" && first != "noise" && first != "list") {
-      throw UsageError("unknown subcommand '" + first + "'; expected partitions, csg, noise or list (see --help)");
+    const auto subcommands = app.get_subcommands([](const CLI::App*) { return true; });
+    const bool is_known = std::any_of(subcommands.begin(), subcommands.end(),
+                                      [&](const CLI::App* subcommand) { return subcommand->get_name() == first; });
+    if (first[0] != '-' && !is_known) {
+      throw UsageError("unknown subcommand '" + first + "'; expected " + subcommand_names + " (see --help)");
     }
     throw UsageError(std::string(error.what()) + " (see --help)");
   }
   if (is_list || listing->parsed()) return list();
   if (csg.is_chosen()) return csg.run();
   if (noise.is_chosen()) return noise.run();
-  if (!command->parsed()) throw UsageError("expected a subcommand: partitions, csg, noise or list (see --help)");
+  if (wood.is_chosen()) return wood.run();
+  if (normals.is_chosen()) return normals.run();
+  if (!command->parsed()) throw UsageError("expected a subcommand: " + subcommand_names + " (see --help)");
   return show_partitions(arguments, *command);
 }
 

@@ -99,6 +99,20 @@ refuses 2 '.vti' "$view" noise --out a.jpg
 refuses 2 'at least 800x500' "${noise[@]}" --size 640x480
 refuses 1 /dev/null "$view" noise --out /dev/null/a.png
 
+run "$view" wood --list
+expect_exit 0
+expect_prints texture_frequency
+refuses 2 marble "$view" wood --texture bark --out a.png
+refuses 2 texture_frequency "$view" wood --texture wood:rings=3 --out a.png
+refuses 2 'from 0 to' "$view" wood --texture wood:noise_amplitude=-1 --out a.png
+refuses 2 wood "$view" wood --tune --texture marble --out a.png
+refuses 2 '.png' "$view" wood --out a.vtp
+refuses 2 'at least 800x500' "$view" wood --size 640x480 --out a.png
+refuses 2 'has a gradient' "$view" normals --kind white --out a.png
+refuses 2 'not in range' "$view" normals --divisions 1 --out a.png
+refuses 2 'not in range' "$view" normals --amplitude nan --out a.png
+refuses 1 /dev/null "$view" normals --out /dev/null/a.png
+
 csg=("$view" csg --solid lens)
 refuses 2 six "${csg[@]}" --ray 1,2,3 --out a.json
 refuses 2 six "${csg[@]}" --ray '' --out a.json

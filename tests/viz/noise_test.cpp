@@ -68,10 +68,14 @@ TEST(Spectrum, OfNoiseLiesAroundItsLattice) {
   EXPECT_LT(noise.above_two, 5e-4);
   EXPECT_LT(noise.below_quarter, 0.15);
   EXPECT_NEAR(noise.axis_over_diagonal, 1, 0.1);
-  const Spectrum white = spectrum_of(NoiseField({.noise = {.kind = NoiseKind::white}}));
+  FieldOptions white_options;
+  white_options.noise.kind = NoiseKind::white;
+  const Spectrum white = spectrum_of(NoiseField(white_options));
   EXPECT_NEAR(white.above_two, 0.75, 0.02);  // of the disc up to 4, what is outside of that up to 2
   // Half as wide cells, the same spectrum per cell.
-  EXPECT_NEAR(spectrum_of(NoiseField({.frequency = 2})).below_quarter, noise.below_quarter, 1e-9);
+  FieldOptions twice;
+  twice.frequency = 2;
+  EXPECT_NEAR(spectrum_of(NoiseField(twice)).below_quarter, noise.below_quarter, 1e-9);
 }
 
 TEST(ColorRamp, DivergesEvenlyFromNearWhite) {

@@ -102,6 +102,16 @@ if command -v Xvfb >/dev/null; then
   cmp -s "$folder/lattice.png" "$folder/again.png" || fail "the same lattice twice differs"
   env -u DISPLAY "$view" noise --show lattice --seed 1 --size 800x500 --out "$folder/other.png" 2>/dev/null
   cmp -s "$folder/lattice.png" "$folder/other.png" && fail "two seeds look the same"
+  for picture in "wood" "wood --tune" "wood --texture marble:layers=2" "normals --divisions 16"; do
+    # shellcheck disable=SC2086
+    env -u DISPLAY "$view" $picture --size 800x540 --out "$folder/texture.png" >"$folder/stdout" 2>"$folder/log" ||
+      fail "$picture: $(cat "$folder/log")"
+    [ "$(wc -c <"$folder/texture.png")" -gt 30000 ] || fail "$picture has only $(wc -c <"$folder/texture.png") bytes"
+    # shellcheck disable=SC2086
+    env -u DISPLAY "$view" $picture --size 800x540 --out "$folder/again.png" >/dev/null 2>&1
+    cmp -s "$folder/texture.png" "$folder/again.png" || fail "$picture twice differs"
+  done
+  grep -q '^the surface displaced .* 3072 ' "$folder/stdout" || fail "normals tell no triangles"
   for signal in INT TERM KILL; do
     # A job of its own, so that SIGINT is not ignored as in background jobs of scripts.
     env -u DISPLAY env --default-signal "$view" partitions --accel brute-force --scene soup:300000 --out "$folder/x.png" 2>/dev/null &
