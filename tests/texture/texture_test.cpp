@@ -194,6 +194,15 @@ TEST(Marble, HasItsGradientAndLayers) {
             std::fma(0.1, 30, -3.0));
 }
 
+/// Turbulence that a footprint takes away has moved layers all the same.
+TEST(Marble, FadesByTurbulenceThatIsLost) {
+  for (const Wave wave : {Wave::sine, Wave::sawtooth, Wave::crease}) {
+    const Marble marble({.wave = wave, .layers = 0, .turbulence = 4, .noise_frequency = 8, .octaves = 2});
+    const double mean = mean_of(random_points(20'000, 50), [&](const Vec3d& p) { return marble.value(p); });
+    EXPECT_NEAR(marble.value({0.1, 0.2, 0.3}, Footprint(1)), mean, 0.08);
+  }
+}
+
 TEST(TextureNoise, KnowsHowFarItSpreads) {
   for (const FractalKind kind : {FractalKind::none, FractalKind::fbm, FractalKind::turbulence, FractalKind::ridged}) {
     const TextureNoise noise({.noise = {}, .fractal = kind, .octaves = 4, .gain = 0.7});

@@ -66,12 +66,17 @@ TEST(Wood, HasTheColorsBetweenEarlyAndLate) {
 TEST(Wood, KeepsModOneBelowOne) {
   // On the y axis only noise counts, negative for half of all points, and as small as wished.
   Random random(3);
-  for (int i = 0; i < 5000; ++i) {
-    const Wood wood({.noise_amplitude = std::ldexp(1, -static_cast<int>(random.below(20)))});
-    const double f = wood.value({0, std::ldexp(random.uniform_double(), -static_cast<int>(random.below(60))), 0});
-    EXPECT_GE(f, 0);
-    EXPECT_LT(f, 1);
+  int negative = 0;
+  for (int exponent = 0; exponent < 80; exponent += 4) {
+    const Wood wood({.noise_amplitude = std::ldexp(1, -exponent)});
+    for (int i = 0; i < 200; ++i) {
+      const double f = wood.value({0, 100 * random.uniform_double(), 0});
+      EXPECT_GE(f, 0);
+      EXPECT_LT(f, 1);
+      negative += f == 1 - 0x1p-53;
+    }
   }
+  EXPECT_GT(negative, 100);
   EXPECT_EQ(Wood({.noise_amplitude = 0}).value({1e100, 0, 0}), 0);
   EXPECT_TRUE(std::isnan(Wood().value({1e200, 0, 0})));
   EXPECT_TRUE(std::isnan(Wood().value({0, std::numeric_limits<double>::infinity(), 0})));
@@ -102,14 +107,15 @@ TEST(Wood, NoiseFrequencyScalesNoiseOnly) {
 }
 
 TEST(Wood, NoiseAmplitudeIsHowManyRingsBumpsGo) {
-  Random random(5);
-  for (int i = 0; i < 1000; ++i) {
-    const Vec3d p = random_point(random, 4);
-    const double plain = Wood({.noise_amplitude = 0}).value(p), noise = Noise()(p);
-    for (const double amplitude : {1.0, 2.0, 3.0}) {
-      const double f = Wood({.noise_amplitude = amplitude}).value(p);
-      const double moved = plain + amplitude * noise;
-      EXPECT_LE(apart(f, moved - std::floor(moved)), 0x1p-48);
+  const Wood without({.noise_amplitude = 0});
+  const Noise noise;
+  for (const double amplitude : {1.0, 2.0, 3.0}) {
+    const Wood wood({.noise_amplitude = amplitude});
+    Random random(5);
+    for (int i = 0; i < 1000; ++i) {
+      const Vec3d p = random_point(random, 4);
+      const double moved = without.value(p) + amplitude * noise(p);
+      EXPECT_LE(apart(wood.value(p), moved - std::floor(moved)), 0x1p-48);
     }
   }
 }
@@ -169,6 +175,17 @@ TEST(Wood, BecomesItsMeanFarAway) {
   }
   EXPECT_GT(largest_near, 0.45) << "and is not the mean before";
   EXPECT_NEAR(wood.value({0, 0, 0}, Footprint(100)), 0.5, 1e-3);
+}
+
+/// Noise that a footprint takes away has moved rings all the same.
+TEST(Wood, FadesByNoiseThatIsLost) {
+  const Wood wood({.texture_frequency = 0, .noise_frequency = 8, .noise_amplitude = 2});
+  Random random(9);
+  double mean = 0;
+  constexpr int count = 20'000;
+  for (int i = 0; i < count; ++i) mean += wood.value(random_point(random, 5)) / count;
+  EXPECT_NEAR(mean, 0.5, 0.02);
+  for (const double width : {0.07, 0.2, 1.0}) EXPECT_NEAR(wood.value({0.1, 0.2, 0.3}, Footprint(width)), mean, 0.06);
 }
 
 TEST(Wood, RefusesWhatIsOutOfRange) {

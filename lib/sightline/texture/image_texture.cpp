@@ -95,11 +95,11 @@ class LinearInput final : public OIIO::ImageInput {
 
 OIIO::ImageInput* make_linear_input() { return new LinearInput; }
 
-/// One for all textures, with a cache of its own that no other user of OpenImageIO changes the settings of.
-std::shared_ptr<OIIO::TextureSystem> shared_system() {
-  static const std::shared_ptr<OIIO::TextureSystem> system = [] {
-    std::shared_ptr<OIIO::TextureSystem> made(OIIO::TextureSystem::create(false),
-                                              [](OIIO::TextureSystem* s) { OIIO::TextureSystem::destroy(s); });
+/// One for all textures, with a cache of its own that no other user of OpenImageIO changes the settings of. Never
+/// destroyed: textures may outlive every other static object, and OpenImageIO 2.4 deletes one by the wrong type.
+OIIO::TextureSystem& shared_system() {
+  static OIIO::TextureSystem* const system = [] {
+    OIIO::TextureSystem* made = OIIO::TextureSystem::create(false);
     made->attribute("max_memory_MB", 1024.0f);
     made->attribute("autotile", 64);
     made->attribute("automip", 1);
@@ -107,7 +107,7 @@ std::shared_ptr<OIIO::TextureSystem> shared_system() {
     made->attribute("deduplicate", 0);  // the same file is another image as data than as color
     return made;
   }();
-  return system;
+  return *system;
 }
 
 /// Throws FileError unless every pixel of every level can be read.
@@ -168,8 +168,8 @@ class ImageTexture::Source {
     OIIO::ImageSpec config;
     config.attribute(path_key, path.string());
     config.attribute(content_key, options.content == ImageContent::color ? 1 : 0);
-    system_->imagecache()->add_file(name_, make_linear_input, &config);
-    handle_ = system_->get_texture_handle(name_);
+    system_.imagecache()->add_file(name_, make_linear_input, &config);
+    handle_ = system_.get_texture_handle(name_);
     options_.swrap = wrap_of(options.wrap_u);
     options_.twrap = wrap_of(options.wrap_v);
     options_.interpmode = is_nearest() ? OIIO::TextureOpt::InterpClosest : OIIO::TextureOpt::InterpBilinear;
@@ -177,7 +177,7 @@ class ImageTexture::Source {
                        : options.filter == ImageFilter::trilinear ? OIIO::TextureOpt::MipModeTrilinear
                                                                   : OIIO::TextureOpt::MipModeNoMIP;
   }
-  ~Source() { system_->invalidate(name_); }
+  ~Source() { system_.invalidate(name_); }
   Source(const Source&) = delete;
   Source& operator=(const Source&) = delete;
 
@@ -191,10 +191,10 @@ class ImageTexture::Source {
     OIIO::TextureOpt options = options_;  // the texture system writes to it
     const int count = channels < 3 ? 1 : 3;
     Color color(0);
-    if (!system_->texture(handle_, nullptr, options, static_cast<float>(u), static_cast<float>(1 - v),
-                          held_step(footprint.right.x), -held_step(footprint.right.y), held_step(footprint.below.x),
-                          -held_step(footprint.below.y), count, &color.x)) {
-      throw FileError(path, 0, "an image that can still be read", first_line(system_->geterror()));
+    if (!system_.texture(handle_, nullptr, options, static_cast<float>(u), static_cast<float>(1 - v),
+                         held_step(footprint.right.x), -held_step(footprint.right.y), held_step(footprint.below.x),
+                         -held_step(footprint.below.y), count, &color.x)) {
+      throw FileError(path, 0, "an image that can still be read", first_line(system_.geterror()));
     }
     return count == 1 ? Color(color.x) : color;
   }
@@ -221,7 +221,7 @@ class ImageTexture::Source {
     check_whole(*input, path);
   }
 
-  std::shared_ptr<OIIO::TextureSystem> system_;
+  OIIO::TextureSystem& system_;
   OIIO::ustring name_;
   OIIO::TextureSystem::TextureHandle* handle_ = nullptr;
   OIIO::TextureOpt options_;

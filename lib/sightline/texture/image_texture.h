@@ -36,7 +36,7 @@ struct ImageTextureOptions {
 /// those of all textures stay in memory. Levels that the file does not have are made of the one before, by a box
 /// filter. Williams, "Pyramidal Parametrics", 1983; Heckbert, "Survey of Texture Mapping", 1986.
 ///
-/// Price: a lookup takes some 0.2 us, with a footprint the more the longer it is than wide, up to 32 times its width.
+/// Price: a lookup takes some 0.5 us, with a footprint the more the longer it is than wide, up to 32 times its width.
 ///
 /// The file has to stay as it is as long as the texture. Immutable, and safe to ask from many threads.
 class ImageTexture {
