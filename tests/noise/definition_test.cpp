@@ -35,35 +35,51 @@ constexpr std::array<int, 256> permutation{
 double of_edge(int bits, const std::array<double, 3>& way) {
   const auto [x, y, z] = way;
   switch (bits & 15) {
-    case 0: return x + y;
-    case 1: return -x + y;
-    case 2: return x - y;
-    case 3: return -x - y;
-    case 4: return x + z;
-    case 5: return -x + z;
-    case 6: return x - z;
-    case 7: return -x - z;
-    case 8: return y + z;
-    case 9: return -y + z;
-    case 10: return y - z;
-    case 11: return -y - z;
-    case 12: return y + x;
-    case 13: return -y + z;
-    case 14: return y - x;
-    default: return -y - z;
+    case 0:
+      return x + y;
+    case 1:
+      return -x + y;
+    case 2:
+      return x - y;
+    case 3:
+      return -x - y;
+    case 4:
+      return x + z;
+    case 5:
+      return -x + z;
+    case 6:
+      return x - z;
+    case 7:
+      return -x - z;
+    case 8:
+      return y + z;
+    case 9:
+      return -y + z;
+    case 10:
+      return y - z;
+    case 11:
+      return -y - z;
+    case 12:
+      return y + x;
+    case 13:
+      return -y + z;
+    case 14:
+      return y - x;
+    default:
+      return -y - z;
   }
 }
 
 double of_2002(const std::array<double, 3>& point) {
-  return test::interpolated(
-      Ease::quintic, point, [](const std::array<double, 3>& lattice, const std::array<double, 3>& way) {
-        int hash = 0;
-        for (const double x : lattice) {
-          const int cell = static_cast<int>(x - 256 * std::floor(x / 256));
-          hash = permutation[static_cast<std::size_t>((hash + cell) & 255)];
-        }
-        return of_edge(hash, way);
-      });
+  return test::interpolated(Ease::quintic, point,
+                            [](const std::array<double, 3>& lattice, const std::array<double, 3>& way) {
+                              int hash = 0;
+                              for (const double x : lattice) {
+                                const int cell = static_cast<int>(x - 256 * std::floor(x / 256));
+                                hash = permutation[static_cast<std::size_t>((hash + cell) & 255)];
+                              }
+                              return of_edge(hash, way);
+                            });
 }
 
 /// Most points are within the first few thousand cells, some by a hair's breadth off a lattice plane.
@@ -131,8 +147,7 @@ TEST_P(OfKind, ValueAndGradientAreByDefinition) {
 
 INSTANTIATE_TEST_SUITE_P(Definition, OfKind,
                          ::testing::Combine(::testing::Values(NoiseKind::perlin, NoiseKind::improved, NoiseKind::value),
-                                            ::testing::Values(Ease::cubic, Ease::quintic),
-                                            ::testing::Values(0u, 4u)));
+                                            ::testing::Values(Ease::cubic, Ease::quintic), ::testing::Values(0u, 4u)));
 
 }  // namespace
 }  // namespace sightline
