@@ -17,7 +17,7 @@ inline constexpr bool can_look_up_bytes = false;
 /// the lane; those above it are anything.
 template <class V>
 HWY_INLINE V look_up_byte([[maybe_unused]] const std::uint8_t* table, V index) {
-  static_assert(can_look_up_bytes);
+  static_assert(can_look_up_bytes && sizeof(V) > 0);
 #ifdef __AVX512VBMI__
   const auto quarter = [table](int i) HWY_ATTR { return _mm512_load_si512(table + 64 * i); };
   const auto looked_up = [&](__m512i at) HWY_ATTR {
