@@ -11,8 +11,10 @@
 #include "bench/noise/run.h"
 #include "bench/rounds.h"
 #include "bench/solids/run.h"
+#include "bench/subcommand.h"
 #include "bench/summary.h"
 #include "bench/table.h"
+#include "bench/torus/run.h"
 #include "sightline/io/file_error.h"
 #include "sightline/io/output_file.h"
 #include "sightline/scene/scenes.h"
@@ -44,12 +46,6 @@ std::vector<NamedMesh> load_scenes(const Plan& plan, Progress& progress) {
   }
   meshes.push_back({"sticks", load_scene("sticks", plan.data_dir)});
   return meshes;
-}
-
-void print(const std::string& text) {
-  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
-    throw std::runtime_error("standard output cannot be written");
-  }
 }
 
 int run(const CommandLine& line) {
@@ -99,6 +95,7 @@ int main(int argc, char** argv) {
   try {
     if (argc > 1 && std::string_view(argv[1]) == "solids") return run_solids_command(argc - 1, argv + 1);
     if (argc > 1 && std::string_view(argv[1]) == "noise") return run_noise_command(argc - 1, argv + 1);
+    if (argc > 1 && std::string_view(argv[1]) == "torus") return run_torus_command(argc - 1, argv + 1);
     const CommandLine line = parse_command_line(argc, argv);
     if (!line.help.empty()) {
       print(line.help);

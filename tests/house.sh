@@ -17,7 +17,7 @@ accel   math | glm sys tbb
 query   accel shape math | glm tbb
 csg     accel shape math | glm
 noise   math | glm
-texture noise io math | glm
+texture noise io math | glm OpenImageIO
 scene   shape csg texture io math | glm tbb
 render  scene query accel texture shape math | glm tbb
 io      math shape | glm assimp OpenImageIO nlohmann sys

@@ -48,6 +48,14 @@ Rgb ramp(double share, double darkest, double lightest) {
   return color;
 }
 
+Rgb diverging(double x) {
+  if (std::isnan(x)) return {0.5, 0.5, 0.5};
+  const double share = std::min(std::fabs(x), 1.0);
+  Rgb color = linear_from_oklch(0.97 - 0.42 * share, 0.13 * std::min(1.0, 1.4 * share), x < 0 ? 250 : 50);
+  for (double& component : color) component = srgb_from_linear(component);
+  return color;
+}
+
 std::array<char, 8> css_color(const Rgb& color) {
   std::array<char, 8> text{};
   const auto byte = [](double x) { return static_cast<unsigned>(std::lround(std::clamp(x, 0.0, 1.0) * 255)) & 255U; };

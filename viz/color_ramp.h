@@ -12,6 +12,9 @@ using Rgb = std::array<double, 3>;
 /// well. `share` is held within [0, 1].
 Rgb ramp(double share, double darkest = 0.30, double lightest = 0.76);
 
+/// From -1 (blue) over 0 (near white) to 1 (orange), as light at -x as at x; of NaN gray. `x` is held within [-1, 1].
+Rgb diverging(double x);
+
 /// What light a screen's component stands for, and back; both within [0, 1].
 double linear_from_srgb(double component);
 double srgb_from_linear(double light);

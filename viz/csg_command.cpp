@@ -69,19 +69,23 @@ Ray<double> parse_ray(const std::string& text) {
 
 Ray<double> parse_pick(const std::string& text, const LadderSolid& solid, const PictureSize& size) {
   const auto pixel = numbers(text, 2);
-  const SolidPanel panel = CsgLayout(size.width, size.height).panel();
-  const auto is_within = [](double x, int begin, int count) {
-    return x == std::floor(x) && x >= begin && x < begin + count;
-  };
-  if (!pixel || !is_within((*pixel)[0], panel.x, panel.width) || !is_within((*pixel)[1], panel.y, panel.height)) {
+  std::optional<Ray<double>> ray;
+  if (pixel) {
+    const auto [x, y] = std::pair((*pixel)[0], (*pixel)[1]);
+    const bool is_within = x >= 0 && x < size.width && y >= 0 && y < size.height;
+    if (is_within && x == std::floor(x) && y == std::floor(y)) {
+      ray = ray_through_pixel(solid, size.width, size.height, static_cast<int>(x), static_cast<int>(y));
+    }
+  }
+  if (!ray) {
+    const SolidPanel panel = CsgLayout(size.width, size.height).panel();
     refuse("--pick", text,
            "X,Y, a pixel where the picture of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
                " shows the solid: X from " + std::to_string(panel.x) + " to " +
                std::to_string(panel.x + panel.width - 1) + ", Y from " + std::to_string(panel.y) + " to " +
                std::to_string(panel.y + panel.height - 1));
   }
-  return ray_through(panel_camera(solid, size.width, size.height), (*pixel)[0] - panel.x + 0.5,
-                     (*pixel)[1] - panel.y + 0.5);
+  return *ray;
 }
 
 Level parse_level(const std::string& text) {
@@ -213,7 +217,7 @@ int CsgCommand::run() const {
   }
   if (!outs_.empty()) return 0;
   if (has_display()) {
-    open_csg_window(picture);
+    CsgWindow(picture, std::cout).run();
   } else {
     std::cerr << "sightline-view: no display to open a window on; --out FILE.png writes the picture\n";
   }

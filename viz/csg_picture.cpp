@@ -220,9 +220,11 @@ void draw_materials(Canvas& canvas, const CsgLayout& layout, const LadderSolid& 
 
 }  // namespace
 
-Camera panel_camera(const LadderSolid& solid, int width, int height) {
+std::optional<Ray<double>> ray_through_pixel(const LadderSolid& solid, int width, int height, int x, int y) {
   const SolidPanel panel = CsgLayout(width, height).panel();
-  return camera_for(solid, panel.width, panel.height);
+  x -= panel.x, y -= panel.y;
+  if (x < 0 || x >= panel.width || y < 0 || y >= panel.height) return std::nullopt;
+  return ray_through(camera_for(solid, panel.width, panel.height), x + 0.5, y + 0.5);
 }
 
 void CsgPicture::show_in(vtkRenderWindow& window, int scale) const {

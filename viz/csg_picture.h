@@ -3,6 +3,7 @@
 #include <vtkRenderWindow.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "viz/csg_layout.h"
@@ -25,7 +26,8 @@ struct CsgPicture {
   void write_png(const std::filesystem::path& path) const;
 };
 
-/// The camera of the panel that shows the solid in a picture of this size.
-Camera panel_camera(const LadderSolid& solid, int width, int height);
+/// The ray through the middle of a pixel, counted from the top left corner, of a picture of this size; nothing outside
+/// of the panel that shows the solid.
+std::optional<Ray<double>> ray_through_pixel(const LadderSolid& solid, int width, int height, int x, int y);
 
 }  // namespace sightline::viz

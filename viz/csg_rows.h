@@ -1,11 +1,9 @@
 #pragma once
 
 #include "viz/csg_layout.h"
+#include "viz/paper.h"
 
 namespace sightline::viz {
-
-inline constexpr Rgb ink{0.12, 0.14, 0.19}, soft_ink{0.42, 0.45, 0.52}, faint_ink{0.72, 0.74, 0.79},
-    band{0.957, 0.963, 0.975}, accent{0.85, 0.04, 0.42};
 
 /// The tree, a bar for each node's intervals, the transitions with their booleans, and the lines that lead up to them.
 void draw_rows(Canvas& canvas, const CsgLayout& layout, const LadderLayout& rows, const Ladder& ladder,

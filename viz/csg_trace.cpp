@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "sightline/csg/evaluator.h"
 #include "viz/csg_light.h"
@@ -28,6 +30,25 @@ struct GhostSight {
   Sight front, back;
 };
 
+std::vector<Aabb> bounded_boxes(const LadderSolid& solid) {
+  std::vector<Aabb> boxes;
+  for (const Solid& part : solid.parts()) {
+    if (part.is_bounded() && !part.bounds().is_empty()) boxes.push_back(part.bounds());
+  }
+  if (boxes.empty()) boxes.push_back({Vec3f(-1), Vec3f(1)});
+  return boxes;
+}
+
+/// Where a line is within a box; empty where it never is.
+Interval<double> part_within(const Aabb& box, const Ray<double>& ray) {
+  Interval<double> part{0, infinity};
+  for (int i = 0; i < 3; ++i) {
+    const double a = (box.lo[i] - ray.origin[i]) / ray.direction[i], b = (box.hi[i] - ray.origin[i]) / ray.direction[i];
+    part = {std::fmax(part.lo, std::fmin(a, b)), std::fmin(part.hi, std::fmax(a, b))};
+  }
+  return part;
+}
+
 template <Level level>
 class Tracing {
  public:
@@ -35,6 +56,7 @@ class Tracing {
       : solid_(solid),
         ghosts_(ghosts),
         camera_(camera),
+        scene_box_(scene_box(solid)),
         is_endless_(is_endless(solid)),
         width_(camera.width * side),
         height_(camera.height * side) {
@@ -81,16 +103,22 @@ class Tracing {
       light = shade(light_of(solid_, boundary->primitive), normal, view, ray.at(boundary->t));
     }
     light_[pixel] = Vec3f(light);
+    const Interval<double> within = part_within(scene_box_, ray);
     for (std::size_t i = 0; i < ghosts_.size(); ++i) {
       const Solid& part = solid_.parts()[ghosts_[i]];
       SolidEvaluator<level> ghost(part, ray, probe);
       const SpanList list = ghost.spans({0, infinity});
-      if (list.count == 0) continue;
+      std::span<const Boundary> seen = ghost[list];
+      if (!part.is_bounded()) {  // what goes on without end is cut off
+        while (!seen.empty() && seen.front().t < within.lo) seen = seen.subspan(1);
+        while (!seen.empty() && seen.back().t > within.hi) seen = seen.first(seen.size() - 1);
+      }
+      if (seen.empty()) continue;
       const auto sight = [&](const Boundary& b) -> Sight {
         return {b.t, b.face,
                 static_cast<float>(std::fabs(glm::dot(part.normal(b, ray), glm::normalize(ray.direction))))};
       };
-      ghost_sights_[pixel * ghosts_.size() + i] = {sight(ghost[list].front()), sight(ghost[list].back())};
+      ghost_sights_[pixel * ghosts_.size() + i] = {sight(seen.front()), sight(seen.back())};
     }
   }
 
@@ -142,6 +170,7 @@ class Tracing {
   const LadderSolid& solid_;
   const std::vector<std::uint32_t>& ghosts_;
   const Camera& camera_;
+  Aabb scene_box_;
   bool is_endless_;
   int width_, height_;
   Vec3d key_light_;
@@ -162,13 +191,17 @@ bool is_endless(const LadderSolid& solid) {
   return list.begins_inside != (list.count % 2 != 0);
 }
 
+Aabb scene_box(const LadderSolid& solid) {
+  Aabb box;
+  for (const Aabb& part : bounded_boxes(solid)) box.extend(part);
+  const Vec3f size = box.hi - box.lo;
+  const Vec3f margin(0.08f * std::max({size.x, size.y, size.z}));
+  return {box.lo - margin, box.hi + margin};
+}
+
 Camera camera_for(const LadderSolid& solid, int width, int height) {
   constexpr double field_of_view = 28, share = 0.88;  // of the panel, by the boxes of the solid's parts
-  std::vector<Aabb> boxes;
-  for (const Solid& part : solid.parts()) {
-    if (part.is_bounded() && !part.bounds().is_empty()) boxes.push_back(part.bounds());
-  }
-  if (boxes.empty()) boxes.push_back({Vec3f(-1), Vec3f(1)});
+  const std::vector<Aabb> boxes = bounded_boxes(solid);
   Aabb extent;
   for (const Aabb& box : boxes) extent.extend(box);
   // Rays like to come from the left, and should be seen to arrive.
@@ -203,10 +236,11 @@ SolidView trace_solid(const LadderSolid& solid, const std::vector<std::uint32_t>
 
 std::vector<std::uint32_t> primitives_to_show(const LadderSolid& solid, const Ladder& ladder, std::size_t count) {
   std::vector<std::uint32_t> chosen;
-  for (const bool is_met : {true, false}) {
+  for (const auto& [is_met, is_bounded] : {std::pair{true, true}, {true, false}, {false, true}, {false, false}}) {
     for (const LadderRow& row : ladder.rows) {
       if (row.kind != SolidTree::Kind::primitive || row.boundaries.empty() == is_met) continue;
-      if (chosen.size() < count && solid.parts()[row.primitive].is_bounded()) chosen.push_back(row.primitive);
+      if (solid.parts()[row.primitive].is_bounded() != is_bounded) continue;
+      if (chosen.size() < count) chosen.push_back(row.primitive);
     }
   }
   std::sort(chosen.begin(), chosen.end());

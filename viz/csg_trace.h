@@ -12,13 +12,17 @@ namespace sightline::viz {
 /// Whether the solid goes on without end toward the camera, which then stands in it, and sees its holes.
 bool is_endless(const LadderSolid& solid);
 
+/// Around all of the solid's bounded parts, with a margin: as far as ghosts of the others are shown.
+Aabb scene_box(const LadderSolid& solid);
+
 /// Sees all of the solid's bounded parts, y upward.
 Camera camera_for(const LadderSolid& solid, int width, int height);
 
 /// Of a pixel, x and y counted from the top left; in between they may be fractions. Pixel centers are at halves.
 Ray<double> ray_through(const Camera& camera, double x, double y);
 
-/// The solid, shaded, and as ghosts the primitives that it does not show.
+/// The solid, shaded, and as ghosts the primitives that it does not show; of those without a box what is in the
+/// scene's.
 struct SolidView {
   ColorGrid colors;
   std::vector<double> depths;  ///< t of ray_through the pixel's center; infinity where nothing is.
@@ -34,7 +38,7 @@ struct SectionPlane {
 ColorGrid trace_section(const LadderSolid& solid, const std::vector<std::uint32_t>& outlined, const Ray<double>& ray,
                         const SectionPlane& plane, int width, int height, Level level);
 
-/// At most `count` of the primitives, those with a box and on the ray first.
+/// At most `count` of the primitives, those on the ray first, and of these those with a box.
 std::vector<std::uint32_t> primitives_to_show(const LadderSolid& solid, const Ladder& ladder, std::size_t count);
 
 }  // namespace sightline::viz

@@ -2,11 +2,9 @@
 
 #include <vtkCommand.h>
 #include <vtkInteractorStyleUser.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkSmartPointer.h>
 
 #include <algorithm>
-#include <iostream>
+#include <ostream>
 #include <string_view>
 
 #include "viz/csg_table.h"
@@ -17,64 +15,75 @@ namespace {
 template <class T>
 using New = vtkSmartPointer<T>;
 
-class Clicks : public vtkCommand {
- public:
-  static Clicks* New() { return new Clicks; }
+}  // namespace
 
-  void watch(const CsgPicture& first, vtkRenderWindow& window) {
-    first_ = &first;
-    window_ = &window;
-  }
+class CsgWindow::Events : public vtkCommand {
+ public:
+  static Events* New() { return new Events; }
+
+  void tell(CsgWindow& window) { window_ = &window; }
 
   void Execute(vtkObject* caller, unsigned long event, void*) override {
     auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);
-    if (event == vtkCommand::KeyPressEvent) {
+    if (event == vtkCommand::LeftButtonPressEvent) {
+      window_->press();
+    } else if (event == vtkCommand::ConfigureEvent) {
+      window_->fit();
+    } else {
       const std::string_view key = interactor->GetKeySym() ? interactor->GetKeySym() : "";
-      if (key == "r" || key == "R") show(first_->ladder.ray);
-      return;
+      if (key == "r" || key == "R") window_->choose(window_->first_);
     }
-    // The window's rows count from below.
-    const int x = interactor->GetEventPosition()[0], y = height() - 1 - interactor->GetEventPosition()[1];
-    const SolidPanel panel = CsgLayout(width(), height()).panel();
-    if (x < panel.x || x >= panel.x + panel.width || y < panel.y || y >= panel.y + panel.height) return;
-    const Camera camera = panel_camera(first_->solid, width(), height());
-    show(ray_through(camera, x - panel.x + 0.5, y - panel.y + 0.5));
   }
 
  private:
-  int width() const { return std::max(window_->GetSize()[0], CsgLayout::lowest_width); }
-  int height() const { return std::max(window_->GetSize()[1], CsgLayout::lowest_height); }
-
-  void show(const Ray<double>& ray) {
-    CsgPicture picture = *first_;
-    picture.ladder = picture.solid.climb(ray, picture.ladder.level);
-    picture.width = width(), picture.height = height();
-    std::cout << '\n' << ladder_table(picture.ladder, picture.solid, picture.name) << std::flush;
-    picture.show_in(*window_, 1);
-    window_->Render();
-  }
-
-  const CsgPicture* first_ = nullptr;
-  vtkRenderWindow* window_ = nullptr;
+  CsgWindow* window_ = nullptr;
 };
 
-}  // namespace
+CsgWindow::CsgWindow(const CsgPicture& first, std::ostream& tables)
+    : picture_(first),
+      first_(first.ladder.ray),
+      tables_(tables),
+      window_(New<vtkRenderWindow>::New()),
+      interactor_(New<vtkRenderWindowInteractor>::New()) {
+  window_->SetWindowName(("csg " + first.name).c_str());
+  window_->SetSize(first.width, first.height);
+  window_->SetMultiSamples(8);
+  interactor_->SetRenderWindow(window_);
+  interactor_->SetInteractorStyle(New<vtkInteractorStyleUser>::New());
+  auto events = New<Events>::New();
+  events->tell(*this);
+  for (const auto event : {vtkCommand::LeftButtonPressEvent, vtkCommand::KeyPressEvent, vtkCommand::ConfigureEvent}) {
+    interactor_->AddObserver(event, events);
+  }
+  show();
+}
 
-void open_csg_window(const CsgPicture& first) {
-  auto window = New<vtkRenderWindow>::New();
-  window->SetWindowName(("csg " + first.name).c_str());
-  window->SetSize(first.width, first.height);
-  window->SetMultiSamples(8);
-  first.show_in(*window, 1);
-  auto interactor = New<vtkRenderWindowInteractor>::New();
-  interactor->SetRenderWindow(window);
-  interactor->SetInteractorStyle(New<vtkInteractorStyleUser>::New());
-  auto clicks = New<Clicks>::New();
-  clicks->watch(first, *window);
-  interactor->AddObserver(vtkCommand::LeftButtonPressEvent, clicks);
-  interactor->AddObserver(vtkCommand::KeyPressEvent, clicks);
-  window->Render();
-  interactor->Start();
+void CsgWindow::run() { interactor_->Start(); }
+
+void CsgWindow::press() {
+  // The window's rows count from below, where the picture's last one is.
+  const int x = interactor_->GetEventPosition()[0], y = picture_.height - 1 - interactor_->GetEventPosition()[1];
+  if (const auto ray = ray_through_pixel(picture_.solid, picture_.width, picture_.height, x, y)) choose(*ray);
+}
+
+void CsgWindow::choose(const Ray<double>& ray) {
+  picture_.ladder = picture_.solid.climb(ray, picture_.ladder.level);
+  tables_ << '\n' << ladder_table(picture_.ladder, picture_.solid, picture_.name) << std::flush;
+  show();
+}
+
+/// The picture grows and shrinks with the window.
+void CsgWindow::fit() {
+  const int width = std::max(window_->GetSize()[0], CsgLayout::lowest_width);
+  const int height = std::max(window_->GetSize()[1], CsgLayout::lowest_height);
+  if (width == picture_.width && height == picture_.height) return;
+  picture_.width = width, picture_.height = height;
+  show();
+}
+
+void CsgWindow::show() {
+  picture_.show_in(*window_, 1);
+  window_->Render();
 }
 
 }  // namespace sightline::viz

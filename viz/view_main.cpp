@@ -9,6 +9,7 @@
 #include "sightline/scene/scenes.h"
 #include "viz/cell_export.h"
 #include "viz/csg_command.h"
+#include "viz/noise/noise_command.h"
 #include "viz/partition_window.h"
 #include "viz/structure.h"
 #include "viz/view_options.h"
@@ -19,7 +20,8 @@ namespace {
 
 constexpr int success = 0, failure = 1, wrong_usage = 2;
 
-constexpr const char* about = R"(Draws how a structure divides space, and what a ray makes of a solid.
+constexpr const char* about =
+    R"(Draws how a structure divides space, what a ray makes of a solid, and what noise is made of.
 
 Examples
   sightline-view list
@@ -35,6 +37,8 @@ Examples
       the leaves of a coarser tree as data, for ParaView
   sightline-view csg --solid widget --out widget.png
       a ray's interval ladder through a solid: see csg --help
+  sightline-view noise --kind perlin --out noise.png
+      noise from its lattice to its spectrum: see noise --help
 
 Exit status: 0 done, 1 failure, 2 wrong usage.)";
 
@@ -141,6 +145,7 @@ int run(int argc, char** argv) {
   CLI::App* listing = app.add_subcommand("list", "The accelerators with their options, and the scenes");
   CLI::App* command = app.add_subcommand("partitions", "The cells of a structure over the mesh");
   CsgCommand csg(app);
+  NoiseCommand noise(app);
   command->fallthrough();
   listing->fallthrough();
   command->add_option("--accel", arguments.accelerator, "The structure, see --list; default kd-tree")
@@ -184,14 +189,15 @@ int run(int argc, char** argv) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
     const std::string first = argc > 1 ? argv[1] : "-";
-    if (first[0] != '-' && first != "partitions" && first != "csg" && first != "list") {
-      throw UsageError("unknown subcommand '" + first + "'; expected partitions, csg or list (see --help)");
+    if (first[0] != '-' && first != "partitions" && first != "csg" && first != "noise" && first != "list") {
+      throw UsageError("unknown subcommand '" + first + "'; expected partitions, csg, noise or list (see --help)");
     }
     throw UsageError(std::string(error.what()) + " (see --help)");
   }
   if (is_list || listing->parsed()) return list();
   if (csg.is_chosen()) return csg.run();
-  if (!command->parsed()) throw UsageError("expected a subcommand: partitions, csg or list (see --help)");
+  if (noise.is_chosen()) return noise.run();
+  if (!command->parsed()) throw UsageError("expected a subcommand: partitions, csg, noise or list (see --help)");
   return show_partitions(arguments, *command);
 }
 

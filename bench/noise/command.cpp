@@ -1,10 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 
 #include "bench/command_line.h"
 #include "bench/noise/run.h"
 #include "bench/peers/noise_peers.h"
+#include "bench/subcommand.h"
 #include "sightline/io/output_file.h"
 
 namespace sightline::bench {
@@ -27,11 +27,6 @@ Examples:
 Exit code: 0; 1 when a file cannot be written or values are wrong; 2 when the command
 line is.
 )";
-
-void print(const std::string& text) {
-  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-    throw std::runtime_error("standard output cannot be written");
-}
 
 }  // namespace
 

@@ -2,19 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include "bench/peers/noise_peers.h"
+#include "bench/processor_time.h"
 
 namespace sightline::bench {
 namespace {
-
-/// Of this thread on a processor.
-double processor_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1'000'000'000;
-}
 
 double seconds_of(const NoiseContender& contender, int passes) {
   const double begin = processor_seconds();

@@ -4,6 +4,7 @@
 
 #include "bench/command_line.h"
 #include "bench/solids/run.h"
+#include "bench/subcommand.h"
 #include "bench/text_table.h"
 #include "sightline/io/output_file.h"
 #include "sightline/query/tracer.h"
@@ -44,36 +45,12 @@ std::string option_list() {
   return text;
 }
 
-std::vector<Level> parse_levels(const std::vector<std::string>& names) {
-  std::vector<Level> levels;
-  for (const std::string& name : names) {
-    const auto info =
-        std::find_if(level_infos.begin(), level_infos.end(), [&](const auto& i) { return i.name == name; });
-    if (info == level_infos.end())
-      throw UsageError("unknown level '" + name + "'; expected some of fast, watertight, precise, exact");
-    if (std::find(levels.begin(), levels.end(), info->level) != levels.end())
-      throw UsageError("--precision names " + name + " twice");
-    levels.push_back(info->level);
-  }
-  return levels;
-}
-
 void apply_setting(SolidOptions& options, const std::string& text) {
   constexpr std::string_view prefix = "solid.";
   const std::size_t sign = text.find('=');
   if (!text.starts_with(prefix) || sign == std::string::npos)
     throw UsageError("--set " + text + ": expected solid.OPTION=VALUE");
   set_option("solid", options, text.substr(prefix.size(), sign - prefix.size()), text.substr(sign + 1));
-}
-
-void require_known(const std::string& flag, const std::string& name, const std::vector<std::string>& known) {
-  if (std::find(known.begin(), known.end(), name) == known.end())
-    throw UsageError("unknown " + flag + " '" + name + "'; expected one of " + joined(known));
-}
-
-void print(const std::string& text) {
-  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
-    throw std::runtime_error("standard output cannot be written");
 }
 
 /// \throws UsageError, std::invalid_argument. Returns what is to be printed, and nothing else done, when not empty.
@@ -94,7 +71,8 @@ std::string parse(int argc, const char* const* argv, SolidPlan& plan) {
   app.add_option("--set", settings, "An option of solids; repeatable")
       ->type_name("solid.OPTION=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--accel", plan.accelerator, "Structure over solids and operands (none for one solid; box-tree)")
+  app.add_option("--accel", plan.accelerator,
+                 "Structure over solids and operands (none over one solid, bih over more, box-tree over operands)")
       ->type_name("NAME");
   app.add_option("--peer", peer, "povray, or none (povray, where it is installed)")->type_name("NAME");
   auto* const rounds =

@@ -177,4 +177,35 @@ expect_exit 1
 expect_one_line
 expect_says 'is wrong, so no times are shown'
 expect_no_file
+
+# ---- Tori
+
+torus=(torus --quick --rays 200 --rounds 3)
+run "$bench" torus --help
+expect_exit 0
+expect_quiet
+for word in --minor --precision --rays --json Ferrari; do expect_prints "$word"; done
+refuses 2 'unknown level' "$bench" torus --precision no-such-level
+refuses 2 twice "$bench" torus --precision fast,fast
+refuses 2 minor "$bench" torus --minor 0
+refuses 2 minor "$bench" torus --minor nan
+refuses 2 minor "$bench" torus --minor thin
+refuses 2 rays "$bench" torus --rays 5
+refuses 2 rounds "$bench" torus --rounds 0
+refuses 2 stray "$bench" torus stray
+refuses 2 table "$bench" torus --json -
+refuses 2 'unknown line' "$bench" torus --self-check fast # which proves nothing
+refuses 1 /dev/null "$bench" torus --json /dev/null/out.json
+run "$bench" "${torus[@]}" --json out.json
+expect_exit 0
+for word in 'Ferrari  ' 'fast ' 'watertight ' 'precise ' 'exact ' 'r/R = 0.5, mixed' 'r/R = 0.005, grazing'; do
+  expect_prints "$word"
+done
+check 'exact has all roots right' bash -c "grep '^exact' '$scratch/stdout' | grep -c '  0  *0\$' | grep -q -x 6"
+check 'ratios in the JSON file' grep -q '"time_over_ferrari"' "$work/out.json"
+run "$bench" "${torus[@]}" --minor 0.25 --precision exact --self-check exact --json out.json
+expect_exit 1
+expect_one_line
+expect_says 'exact is wrong'
+expect_no_file
 finish

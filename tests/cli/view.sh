@@ -82,6 +82,23 @@ run "$view" partitions --accel bih:lazy=true --scene soup:200 --out lazy.vtp
 expect_exit 0
 expect_file lazy.vtp
 
+noise=("$view" noise --out a.png)
+refuses 2 'improved, value or white' "${noise[@]}" --kind simplex
+refuses 2 'cubic or quintic' "${noise[@]}" --ease linear
+refuses 2 turbulence "${noise[@]}" --fractal multi
+refuses 2 isosurfaces "${noise[@]}" --show everything
+refuses 2 'two numbers' "${noise[@]}" --point 3
+refuses 2 'two numbers' "${noise[@]}" --point nan,1
+refuses 2 z=POSITION "${noise[@]}" --slice x=1
+refuses 2 'from 1 to 32' "${noise[@]}" --fractal fbm --octaves 0
+refuses 2 'above 0, at most 1' "${noise[@]}" --gain 0
+refuses 2 'above 1' "${noise[@]}" --lacunarity 1
+refuses 2 'above 0' "${noise[@]}" --frequency nan
+refuses 2 'power of two' "${noise[@]}" --period 100
+refuses 2 '.vti' "$view" noise --out a.jpg
+refuses 2 'at least 800x500' "${noise[@]}" --size 640x480
+refuses 1 /dev/null "$view" noise --out /dev/null/a.png
+
 csg=("$view" csg --solid lens)
 refuses 2 six "${csg[@]}" --ray 1,2,3 --out a.json
 refuses 2 six "${csg[@]}" --ray '' --out a.json

@@ -5,6 +5,7 @@
 
 #include "sightline/csg/evaluator.h"
 #include "sightline/math/random.h"
+#include "sightline/math/rounding.h"
 
 namespace sightline {
 namespace {
@@ -12,12 +13,18 @@ namespace {
 /// On a coarse lattice, so that faces coincide and spans abut, and off it.
 class Convex {
  public:
-  explicit Convex(std::uint64_t seed) : random_(seed) {}
+  /// With oblique cylinders there are no lanes; scales leave the lattice as it is.
+  explicit Convex(std::uint64_t seed)
+      : random_(seed),
+        may_be_oblique_(seed % 2 == 0),
+        scale_(std::ldexp(1.0, seed % 5 == 0   ? -20
+                               : seed % 7 == 0 ? 24
+                                               : 0)) {}
 
   SolidTree solid() {
     std::vector<SolidTree> kept, taken;
     for (std::uint32_t i = 0, n = 1 + random_.below(3); i < n; ++i) kept.push_back(shape());
-    for (std::uint32_t i = 0, n = random_.below(12); i < n; ++i) taken.push_back(shape());
+    for (std::uint32_t i = 0, n = random_.below(may_be_oblique_ ? 12 : 7); i < n; ++i) taken.push_back(shape());
     SolidTree body = kept.size() == 1 ? kept[0] : SolidTree(Operation::intersect, kept);
     if (taken.empty()) return body;
     if (random_.below(2) == 0) return body - SolidTree(Operation::unite, taken);
@@ -31,12 +38,13 @@ class Convex {
     do {
       ray.direction = point(2) - (random_.below(2) == 0 ? ray.origin : Vec3d(0));
     } while (ray.direction == Vec3d(0));
+    if (random_.below(2) == 0) ray.direction /= scale_;  // t is not scaled
     return ray;
   }
 
   double coordinate(int size) {
     const double x = (2 * random_.uniform_double() - 1) * size;
-    return is_lattice_ ? std::round(x) : x;
+    return (is_lattice_ ? std::round(x) : x) * scale_;
   }
   Vec3d point(int size) {
     is_lattice_ = random_.below(3) != 0;
@@ -48,22 +56,30 @@ class Convex {
   SolidTree shape() {
     switch (random_.below(3)) {
       case 0:
-        return solid::Sphere{point(2), 1.0 + random_.below(2)};
+        return solid::Sphere{point(2), radius()};
       case 1: {
         const Vec3d a = point(2), b = point(2);
         return solid::Box{glm::min(a, b), glm::max(a, b)};
       }
       default: {
-        solid::Cylinder cylinder{point(2), point(2), 1.0 + random_.below(2)};
-        if (random_.below(2) == 0) cylinder.top = {cylinder.base.x, cylinder.base.y, cylinder.top.z};
-        if (cylinder.top == cylinder.base) cylinder.top.z += 1;
+        solid::Cylinder cylinder{point(2), point(2), radius()};
+        if (!may_be_oblique_ || random_.below(2) == 0) {
+          const int axis = static_cast<int>(random_.below(3));
+          const double top = cylinder.top[axis];
+          cylinder.top = cylinder.base;
+          cylinder.top[axis] = top == cylinder.base[axis] ? top + scale_ : top;
+        }
+        if (cylinder.top == cylinder.base) cylinder.top.z += scale_;
         return cylinder;
       }
     }
   }
 
+  double radius() { return scale_ * (1 + random_.below(2)); }
+
   Random random_;
-  bool is_lattice_ = true;
+  bool is_lattice_ = true, may_be_oblique_;
+  double scale_;
 };
 
 std::string text(const std::optional<Boundary>& boundary) {
@@ -75,17 +91,35 @@ std::string text(const std::optional<Boundary>& boundary) {
   return out.str();
 }
 
+struct Counts {
+  std::size_t found = 0;          ///< Boundaries that a walk has found ...
+  std::size_t by_lanes = 0;       ///< ... of which this many of solids with lanes.
+  std::size_t any = 0, none = 0;  ///< Where a walk knows at once whether there is one.
+};
+
+/// A walk for any boundary says nothing, or what is so.
+template <class T, Level level>
+void compare_any(const Solid& solid, const SolidRay<level>& ray, T t_min, T t_max, const std::optional<Boundary>& first,
+                 Counts& counts) {
+  NoSolidProbe probe;
+  const WalkOutcome any = walk_any(solid, ray, t_min, t_max, probe);
+  if (any == WalkOutcome::unclear) return;
+  ++(any == WalkOutcome::found ? counts.any : counts.none);
+  EXPECT_EQ(any == WalkOutcome::found, first.has_value()) << text(first);
+}
+
 template <Level level>
-std::size_t compare(std::uint64_t seed) {
+void compare(std::uint64_t seed, Counts& counts) {
   Convex convex(seed);
   const SolidTree tree = convex.solid();
   SolidOptions by_lists;
   by_lists.walk_convex = false;
   const Solid walked(tree), listed(tree, by_lists);
   EXPECT_EQ(listed.convex_parts(), nullptr);
-  std::size_t found = 0;
+  const bool has_lanes = walked.convex_parts() && walked.convex_parts()->lanes;
   for (int i = 0; i < 40; ++i) {
     const Ray<double> ray = convex.ray();
+    const SolidRay<level> ready(ray, walked.extent());
     NoSolidProbe probe;
     SolidStats stats;
     SolidEvaluator<level, SolidStats> walk(walked, ray, stats);
@@ -96,19 +130,24 @@ std::size_t compare(std::uint64_t seed) {
     for (int k = 0; k < 30; ++k) {
       const auto a = walk.first(t_min, t_max), b = list.first(t_min, t_max);
       EXPECT_EQ(text(a), text(b)) << "seed " << seed << " ray " << i << " behind " << t_min << " to " << t_max;
+      compare_any<double>(walked, ready, t_min, t_max, b, counts);
+      if (b) compare_any<double>(walked, ready, t_min, next_down(b->t), std::nullopt, counts);
       if (!a || !b || text(a) != text(b)) break;
-      found += stats.nodes == 0;  // without lists for this ray
+      counts.found += stats.nodes == 0;  // without lists for this ray
+      counts.by_lanes += stats.nodes == 0 && has_lanes;
       t_min = a->t;
     }
   }
-  return found;
 }
 
 template <Level level>
 void compare_many() {
-  std::size_t found = 0;
-  for (std::uint64_t seed = 0; seed < 1500 && !testing::Test::HasFailure(); ++seed) found += compare<level>(seed);
-  EXPECT_GT(found, 800u) << "boundaries that a walk has found";
+  Counts counts;
+  for (std::uint64_t seed = 0; seed < 6000 && !testing::Test::HasFailure(); ++seed) compare<level>(seed, counts);
+  EXPECT_GT(counts.found, 3200u);
+  EXPECT_GT(counts.by_lanes, 1600u);
+  EXPECT_GT(counts.any, 3200u);
+  EXPECT_GT(counts.none, 3200u);
 }
 
 TEST(ConvexWalk, FindsWhatListsFind) {
@@ -116,6 +155,20 @@ TEST(ConvexWalk, FindsWhatListsFind) {
   compare_many<Level::watertight>();
   compare_many<Level::precise>();
   compare_many<Level::exact>();
+}
+
+TEST(ConvexWalk, HasLanesWhereItCan) {
+  const auto lanes = [](const SolidTree& tree) { return Solid(tree).convex_parts()->lanes; };
+  const SolidTree box = solid::Box{}, ball = solid::Sphere{}, along_z = solid::Cylinder{};
+  const SolidTree oblique = solid::Cylinder{{0, 0, 0}, {1, 1, 0}, 1};
+  ASSERT_NE(lanes((box & ball) - along_z), nullptr);
+  EXPECT_EQ(lanes((box & ball) - along_z)->count(), 2u) << "kept boxes need no lane";
+  EXPECT_NE(lanes(along_z - box), nullptr);
+  EXPECT_EQ(lanes(box - oblique), nullptr);
+  EXPECT_EQ(lanes(SolidTree(Operation::intersect, {box, along_z})), nullptr) << "caps in planes of the box";
+  std::vector<SolidTree> taken{box};
+  for (int i = 0; i < 9; ++i) taken.push_back(ball);
+  EXPECT_EQ(lanes({Operation::subtract, taken}), nullptr) << "too many, and found by an index";
 }
 
 TEST(ConvexWalk, IsOfConvexPartsOnly) {

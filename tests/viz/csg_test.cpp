@@ -267,5 +267,42 @@ TEST(CsgTrace, ASectionIsFilledWhereTheRayIsInside) {
   EXPECT_LT(red_excess(ends[1].t + 0.2), 5);
 }
 
+TEST(CsgTrace, GhostsOfEndlessPartsAreCutOff) {
+  // A ball, and as a ghost behind it a plane, which the solid does not show.
+  const SolidTree ball = solid::Sphere{Vec3d(0), 1};
+  const auto ghosts_of = [&](const SolidTree& endless) {
+    const LadderSolid solid(ball & (ball | endless), "box-tree");
+    const Camera camera = camera_for(solid, 120, 120);
+    const SolidView with = trace_solid(solid, {2}, camera, Level::watertight),
+                    without = trace_solid(solid, {}, camera, Level::watertight);
+    EXPECT_EQ(with.depths, without.depths);
+    std::size_t changed = 0, at_edge = 0;
+    for (std::size_t i = 0; i < with.colors.bytes.size(); i += 3) {
+      const std::size_t x = i / 3 % 120, y = i / 3 / 120;
+      if (std::equal(&with.colors.bytes[i], &with.colors.bytes[i] + 3, &without.colors.bytes[i])) continue;
+      ++changed;
+      at_edge += x == 0 || y == 0 || x == 119 || y == 119;
+    }
+    EXPECT_EQ(at_edge, 0u);  // as it would be seen without being cut off
+    return changed;
+  };
+  EXPECT_GT(ghosts_of(solid::HalfSpace{{0, 1, 0}, -1}), 1000u);
+  EXPECT_GT(ghosts_of(~SolidTree(solid::HalfSpace{{0, 1, 0}, -1})), 1000u);
+  EXPECT_GT(ghosts_of(solid::Quadric{{1, 0, 1, 0, 0, 0, 0, 0, 0, -1}}), 1000u);  // a cylinder without ends
+  EXPECT_EQ(ghosts_of(solid::HalfSpace{{0, 1, 0}, -9}), 0u);                     // beyond the scene
+}
+
+TEST(CsgTrace, PartsOnTheRayAreShownFirst) {
+  const SolidTree tree(Operation::unite, {solid::Sphere{{5, 0, 0}, 1}, solid::HalfSpace{{1, 0, 0}, 9},
+                                          solid::Sphere{{0, 5, 0}, 1}, solid::HalfSpace{{0, 1, 0}, 9}});
+  const LadderSolid solid(tree, "box-tree");
+  const Ladder ladder = solid.climb({{0, 0, 0}, {1, 0, 0}}, Level::watertight);
+  using Parts = std::vector<std::uint32_t>;
+  EXPECT_EQ(primitives_to_show(solid, ladder, 1), (Parts{0}));
+  EXPECT_EQ(primitives_to_show(solid, ladder, 2), (Parts{0, 1}));
+  EXPECT_EQ(primitives_to_show(solid, ladder, 3), (Parts{0, 1, 2}));
+  EXPECT_EQ(primitives_to_show(solid, ladder, 9), (Parts{0, 1, 2, 3}));
+}
+
 }  // namespace
 }  // namespace sightline::viz

@@ -91,6 +91,17 @@ if command -v Xvfb >/dev/null; then
     fail "a pick in the middle misses"
   "$view" csg --solid lens --size 800x450 --pick 20,60 --out "$folder/pick.json" | grep -q '^none' ||
     fail "a pick in the corner hits"
+  for panel in slice lattice spectrum volume; do
+    env -u DISPLAY "$view" noise --show $panel --size 800x500 --out "$folder/$panel.png" 2>"$folder/log" ||
+      fail "noise --show $panel: $(cat "$folder/log")"
+    [ "$(wc -c <"$folder/$panel.png")" -gt 15000 ] || fail "$panel.png has only $(wc -c <"$folder/$panel.png") bytes"
+  done
+  env -u DISPLAY "$view" noise --kind white --size 800x500 --out "$folder/white.png" 2>"$folder/log" ||
+    fail "a sheet of white noise: $(cat "$folder/log")"
+  env -u DISPLAY "$view" noise --show lattice --size 800x500 --out "$folder/again.png" 2>/dev/null
+  cmp -s "$folder/lattice.png" "$folder/again.png" || fail "the same lattice twice differs"
+  env -u DISPLAY "$view" noise --show lattice --seed 1 --size 800x500 --out "$folder/other.png" 2>/dev/null
+  cmp -s "$folder/lattice.png" "$folder/other.png" && fail "two seeds look the same"
   for signal in INT TERM KILL; do
     # A job of its own, so that SIGINT is not ignored as in background jobs of scripts.
     env -u DISPLAY env --default-signal "$view" partitions --accel brute-force --scene soup:300000 --out "$folder/x.png" 2>/dev/null &
@@ -115,6 +126,10 @@ fi
 env -u DISPLAY "$view" csg --solid widget >"$folder/stdout" 2>"$folder/stderr" || fail "a table without a display"
 grep -q 'wasInA isInA wasInB isInB' "$folder/stdout" || fail "no booleans in the table"
 grep -q 'no display' "$folder/stderr" || fail "a missing window is not told"
+headless noise --out "$folder/noise.vti" || fail "noise as .vti"
+grep -q 'WholeExtent="0 127 0 127 0 127"' "$folder/noise.vti" || fail "noise.vti has another size"
+headless noise && fail "a window of noise without a display"
+grep -q 'no display' "$folder/log" || fail "a missing window of noise is not told"
 "$view" --help | grep -q "Examples" || fail "--help has no examples"
 "$view" partitions --help | grep -q -- "--slice" || fail "partitions --help does not tell --slice"
 [ $failures -eq 0 ] && echo "all hold"

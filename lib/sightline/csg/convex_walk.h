@@ -17,31 +17,25 @@ namespace sightline {
 template <Level level, class Probe>
 class ConvexWalk {
  public:
-  enum class Outcome { unclear, none, found };
-
   ConvexWalk(const Solid& solid, const ConvexParts& parts, const QuickRay<level>& ray, Probe& probe, OperandList& found)
       : solid_(solid), parts_(parts), ray_(ray), probe_(probe), found_(found) {}
 
   /// The first boundary with lo < t, as far as it is not surely beyond `hi`.
-  Outcome run(double lo, double hi, Boundary& first) {
+  WalkOutcome run(double lo, double hi, Boundary& first) {
     Place enter, leave;
-    const Outcome common = common_part(lo, hi, enter, leave);
-    if (common != Outcome::found) return common;
+    const WalkOutcome common = common_part(lo, hi, enter, leave);
+    if (common != WalkOutcome::found) return common;
     const int is_ahead = order(enter, lo);
-    if (is_ahead == 0) return Outcome::unclear;
+    if (is_ahead == 0) return WalkOutcome::unclear;
     is_flipped_ = false;
-    at_ = enter;
-    if (is_ahead < 0) {
-      at_ = {lo, 0, no_primitive, 0, 0};
-      const Outcome start = advance(leave);
-      if (start != Outcome::found) return start;
-      if (at_.primitive == no_primitive) return unclear_or(way_out(leave), first);
-    } else {
-      const Outcome rest = advance(leave);
-      if (rest != Outcome::found) return rest;
-    }
-    if (at_.t - 3 * at_.radius > hi) return Outcome::none;
-    return unclear_or(Outcome::found, first);
+    at_ = is_ahead > 0 ? enter : Place{lo, 0, no_primitive, 0, 0};
+    WalkOutcome rest = advance(leave);
+    if (rest == WalkOutcome::found && at_.primitive == no_primitive) rest = way_out(leave);
+    if (rest != WalkOutcome::found) return rest;
+    if (at_.t - 3 * at_.radius > hi) return WalkOutcome::none;
+    first = Boundary(at_.t, at_.radius, at_.primitive, at_.face, at_.root);
+    first.is_flipped = is_flipped_;
+    return WalkOutcome::found;
   }
 
  private:
@@ -63,33 +57,29 @@ class ConvexWalk {
     return std::fabs(difference) * (1 - 0x1p-40) > known ? (difference > 0 ? 1 : -1) : 0;
   }
 
-  Outcome unclear_or(Outcome outcome, Boundary& first) const {
-    if (outcome != Outcome::found) return outcome;
-    first = Boundary(at_.t, at_.radius, at_.primitive, at_.face, at_.root);
-    first.is_flipped = is_flipped_;
-    return outcome;
-  }
+  /// With the place where the walk is: a limit, as long as that is on no face.
+  int order_here(const Place& a) const { return at_.primitive == no_primitive ? order(a, at_.t) : order(a, at_); }
 
   detail::QuickSpan span_of(std::uint32_t primitive) {
     probe_.primitive(primitive);
     return quick_span(solid_.primitives()[primitive], nullptr, ray_);
   }
 
-  Outcome common_part(double lo, double hi, Place& enter, Place& leave) {
+  WalkOutcome common_part(double lo, double hi, Place& enter, Place& leave) {
     for (std::size_t i = 0; i < parts_.kept.size(); ++i) {
       const detail::QuickSpan span = span_of(parts_.kept[i]);
-      if (span.kind == Kind::unclear) return Outcome::unclear;
+      if (span.kind == Kind::unclear) return WalkOutcome::unclear;
       if (span.kind == Kind::empty || order(place(0, span.leave), lo) < 0 || order(place(0, span.enter), hi) > 0)
-        return Outcome::none;
+        return WalkOutcome::none;
       const Place in = place(parts_.kept[i], span.enter), out = place(parts_.kept[i], span.leave);
       const int later = i == 0 ? 1 : order(in, enter), earlier = i == 0 ? -1 : order(out, leave);
-      if (later == 0 || earlier == 0) return Outcome::unclear;
+      if (later == 0 || earlier == 0) return WalkOutcome::unclear;
       if (later > 0) enter = in;
       if (earlier < 0) leave = out;
     }
     const int way = order(enter, leave);
-    if (way == 0 || order(leave, lo) == 0) return Outcome::unclear;
-    return way < 0 ? Outcome::found : Outcome::none;
+    if (way == 0 || order(leave, lo) == 0) return WalkOutcome::unclear;
+    return way < 0 ? WalkOutcome::found : WalkOutcome::none;
   }
 
   struct Point {
@@ -132,7 +122,7 @@ class ConvexWalk {
   }
 
   /// Moves on until no part that is taken away holds the place. None where that is behind `leave`.
-  Outcome advance(const Place& leave) {
+  WalkOutcome advance(const Place& leave) {
     for (bool is_moved = true; is_moved;) {
       is_moved = false;
       const bool is_clear = for_each_taken(at_.t - at_.radius, at_.t + at_.radius, [&](std::uint32_t primitive) {
@@ -140,23 +130,23 @@ class ConvexWalk {
         const detail::QuickSpan span = span_of(primitive);
         if (span.kind != Kind::span) return span.kind == Kind::empty;
         const Place out = place(primitive, span.leave);
-        const int begins = order(place(primitive, span.enter), at_), ends = order(out, at_);
+        const int begins = order_here(place(primitive, span.enter)), ends = order_here(out);
         if (begins > 0 || ends < 0) return true;
         if (begins == 0 || ends == 0) return false;
         at_ = out;
         return is_flipped_ = is_moved = true;
       });
-      if (!is_clear) return Outcome::unclear;
+      if (!is_clear) return WalkOutcome::unclear;
       if (is_moved) {
         const int ends = order(at_, leave);
-        if (ends >= 0) return ends == 0 ? Outcome::unclear : Outcome::none;
+        if (ends >= 0) return ends == 0 ? WalkOutcome::unclear : WalkOutcome::none;
       }
     }
-    return Outcome::found;
+    return WalkOutcome::found;
   }
 
   /// From inside of the solid, the nearest way out.
-  Outcome way_out(const Place& leave) {
+  WalkOutcome way_out(const Place& leave) {
     const double lo = at_.t;
     at_ = leave;
     const bool is_clear = for_each_taken(lo, leave.t + leave.radius, [&](std::uint32_t primitive) {
@@ -169,7 +159,7 @@ class ConvexWalk {
       at_ = in;
       return is_flipped_ = true;
     });
-    return is_clear ? Outcome::found : Outcome::unclear;
+    return is_clear ? WalkOutcome::found : WalkOutcome::unclear;
   }
 
   const Solid& solid_;

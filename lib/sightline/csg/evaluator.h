@@ -6,59 +6,11 @@
 #include <limits>
 #include <optional>
 
-#include "sightline/accel/padded_ray.h"
-#include "sightline/csg/convex_walk.h"
+#include "sightline/csg/first_walk.h"
 #include "sightline/csg/primitive_spans.h"
 #include "sightline/csg/solid.h"
 
 namespace sightline {
-
-/// What evaluation tells of its work; this one does not listen.
-struct NoSolidProbe {
-  static constexpr bool sees_transitions = false;  ///< Whether those that change nothing matter, too.
-  void node(std::uint32_t) {}                      ///< A node is evaluated.
-  void pruned(std::uint32_t) {}                    ///< A node is left out, for want of a meeting.
-  void primitive(std::uint32_t) {}                 ///< A primitive's faces are solved.
-  void transition(std::uint32_t, const Transition&, bool, double) {}  ///< Of a node: kept or not, and where.
-  void spans(std::uint32_t, std::span<const Boundary>, bool) {}       ///< A node's list.
-};
-
-/// Work per ray.
-struct SolidStats : NoSolidProbe {
-  std::uint64_t nodes = 0, pruned_nodes = 0, primitives = 0, transitions = 0;
-
-  void node(std::uint32_t) { ++nodes; }
-  void pruned(std::uint32_t) { ++pruned_nodes; }
-  void primitive(std::uint32_t) { ++primitives; }
-  void transition(std::uint32_t, const Transition&, bool, double) { ++transitions; }
-};
-
-/// A ray made ready for all solids within some bounds. Refers to both. Not to be shared by threads.
-template <Level level>
-class SolidRay {
- public:
-  using Real = typename QuickRay<level>::Real;
-
-  SolidRay(const Ray<double>& ray, const Aabb& extent) : quick_(ray), extent_(&extent) {}
-
-  const Ray<double>& ray() const { return quick_.ray(); }
-  /// Made when it is needed first: many solids are answered without.
-  const PaddedRay<Real>& padded() const {
-    if (!padded_) padded_.emplace(to_real(ray()), *extent_);
-    return *padded_;
-  }
-  const QuickRay<level>& quick() const { return quick_; }
-  bool is_valid() const { return quick_.is_valid(); }
-
- private:
-  static Ray<Real> to_real(const Ray<double>& ray) {
-    return {Vec3<Real>(ray.origin), Vec3<Real>(ray.direction), -std::numeric_limits<Real>::infinity()};
-  }
-
-  QuickRay<level> quick_;
-  const Aabb* extent_;
-  mutable std::optional<PaddedRay<Real>> padded_;
-};
 
 /// Evaluates one solid for one ray. Refers to both.
 ///   V1  A list is right within the window that it was asked for, ends included; beyond it anything may be missing.
@@ -66,6 +18,8 @@ class SolidRay {
 ///       is missed by a padded ray.
 ///   V3  On the way, t need only be known well enough to put boundaries in order; those reported are as accurate as the
 ///       level asks for.
+///   V4  The first boundary is that of the list in every field: limits are compared with what is reported, and what is
+///       nearer to them than that may be off is not left out.
 template <Level level, class Probe = NoSolidProbe>
 class SolidEvaluator {
  public:
@@ -93,21 +47,25 @@ class SolidEvaluator {
 
   /// The first boundary with t_min < t <= t_max.
   std::optional<Boundary> first(double t_min, double t_max) {
+    Boundary boundary;
+    switch (walk_first(solid_, ray_, t_min, t_max, probe_, boundary)) {
+      case WalkOutcome::found:
+        return boundary;
+      case WalkOutcome::none:
+        return std::nullopt;
+      case WalkOutcome::unclear:
+        break;
+    }
+    return first_by_lists(t_min, t_max);
+  }
+
+  /// The same without a walk along convex parts.
+  std::optional<Boundary> first_by_lists(double t_min, double t_max) {
     stack_.truncate(0);
     if (!ray_.is_valid()) return std::nullopt;
-    if constexpr (!Probe::sees_transitions) {
-      if (const ConvexParts* parts = solid_.convex_parts()) {
-        using Walk = ConvexWalk<level, Probe>;
-        Boundary boundary;
-        const auto outcome = Walk(solid_, *parts, ray_.quick(), probe_, found_).run(t_min, t_max, boundary);
-        if (outcome == Walk::Outcome::none) return std::nullopt;
-        if (outcome == Walk::Outcome::found) {
-          return is_behind(boundary, t_max) ? std::nullopt : std::optional(refined(boundary));
-        }
-      }
-    }
-    return solid_.options().stop_early ? first_of(last_node(), {t_min, t_max})
-                                       : first_in(evaluate(last_node(), {t_min, t_max}), {t_min, t_max});
+    limits_ = {t_min, t_max};
+    const Window window{t_min - limit_slack<level>(t_min), t_max + limit_slack<level>(t_max)};
+    return solid_.options().stop_early ? first_of(last_node(), window) : first_in(evaluate(last_node(), window));
   }
 
  private:
@@ -265,50 +223,39 @@ class SolidEvaluator {
 
   // ---- What is reported (V3)
 
-  Boundary refined(const Boundary& boundary) const {
-    if (is_accurate(boundary.t, boundary.radius, level)) [[likely]]
-      return boundary;
-    const Primitive& primitive = solid_.primitives()[boundary.primitive];
-    const Root root =
-        refined_root(primitive, boundary.face, boundary.root, boundary.t, ray_.quick(), solid_.frame_of(primitive));
-    Boundary refined = boundary;
-    refined.t = root.t, refined.radius = root.radius;
-    return refined;
-  }
   void refine(const SpanList& list) {
     for (Boundary& boundary : stack_.part(list)) boundary = refined(boundary);
   }
-
-  /// Whether the boundary would be reported behind t.
+  Boundary refined(const Boundary& boundary) const { return refined_boundary(solid_, boundary, ray_.quick()); }
   bool is_behind(const Boundary& boundary, double t) const {
-    // The reported one is no farther from the true one than this one is.
-    if (std::fabs(boundary.t - t) > 3 * boundary.radius) [[likely]]
-      return boundary.t > t;
-    return refined(boundary).t > t;
+    return sightline::is_behind(solid_, boundary, t, ray_.quick());
   }
 
   // ---- The first boundary
 
-  /// Of those that a step of a merge reports, the first behind the window's begin ends it.
-  bool is_first(const Boundary& boundary, const Window& window, std::optional<Boundary>& first) const {
-    if (!is_behind(boundary, window.lo)) return false;
-    if (!is_behind(boundary, window.hi)) first = refined(boundary);
-    return true;
+  std::optional<Boundary> within_limits(const Boundary& boundary) const {
+    return is_behind(boundary, limits_.hi) ? std::nullopt : std::optional(refined(boundary));
   }
 
-  std::optional<Boundary> first_in(const SpanList& list, const Window& window) const {
-    std::optional<Boundary> first;
+  /// The first one behind the lower limit.
+  const Boundary* next_in(const SpanList& list) const {
     for (const Boundary& boundary : stack_[list]) {
-      if (is_first(boundary, window, first)) break;
+      if (is_behind(boundary, limits_.lo)) return &boundary;
     }
-    return first;
+    return nullptr;
+  }
+  std::optional<Boundary> first_in(const SpanList& list) const {
+    const Boundary* const next = next_in(list);
+    return next ? within_limits(*next) : std::nullopt;
   }
 
-  /// Whether the ray is inside just behind the window's begin.
-  bool begins_within(const SpanList& list, const Window& window) const {
+  /// Whether the ray is inside just behind the lower limit, or may be.
+  bool may_begin_within(const SpanList& list) const {
+    const double near = limit_slack<level>(limits_.lo);
     bool is_inside = list.begins_inside;
     for (const Boundary& boundary : stack_[list]) {
-      if (is_behind(boundary, window.lo)) break;
+      if (boundary.t - boundary.radius > limits_.lo + near) break;
+      if (boundary.t + boundary.radius >= limits_.lo - near) return true;
       is_inside = !is_inside;
     }
     return is_inside;
@@ -320,10 +267,10 @@ class SolidEvaluator {
       probe_.pruned(index);
       return std::nullopt;  // nor has a complement a boundary here
     }
-    if (node.is_primitive || node.is_complement) return first_in(evaluate(index, window), window);
-    if (node.operation == Operation::unite && !solid_.index_of(node)) return first_of_union(index, window);
-    if (node.operation == Operation::subtract) return first_of_difference(index, window);
-    return first_in(evaluate(index, window), window);
+    const bool is_plain = !node.is_primitive && !node.is_complement;
+    if (is_plain && node.operation == Operation::unite && !solid_.index_of(node)) return first_of_union(index, window);
+    if (is_plain && node.operation == Operation::subtract) return first_of_difference(index, window);
+    return first_in(evaluate(index, window));
   }
 
   /// From outside of all operands, the nearest of their first boundaries; from inside of one, by the whole list.
@@ -334,18 +281,19 @@ class SolidEvaluator {
     for (const std::uint32_t child : solid_.children(solid_.nodes()[index])) {
       const std::uint32_t size = stack_.size();
       const SpanList list = evaluate(child, window);
-      if (begins_within(list, window)) {
+      if (may_begin_within(list)) {
         stack_.truncate(size);
-        return first_in(evaluate(index, whole), whole);
+        return first_in(evaluate(index, whole));
       }
-      const auto boundary = first_in(list, window);
+      // What lies beyond the window may be no boundary, but is behind any that is.
+      if (const Boundary* const next = next_in(list)) {
+        const int order = nearest ? order_(*next, *nearest) : -1;
+        if (order < 0 || (order == 0 && next->primitive < nearest->primitive)) nearest = *next;
+        window.hi = std::min(window.hi, nearest->t + nearest->radius);
+      }
       stack_.truncate(size);
-      if (!boundary) continue;
-      const int order = nearest ? order_(*boundary, *nearest) : -1;
-      if (order < 0 || (order == 0 && boundary->primitive < nearest->primitive)) nearest = boundary;
-      window.hi = std::min(window.hi, nearest->t + nearest->radius);
     }
-    return nearest;
+    return nearest ? within_limits(*nearest) : std::nullopt;
   }
 
   /// The spans of the minuend one after the other, each alone less what is subtracted.
@@ -367,13 +315,12 @@ class SolidEvaluator {
       const Window both =
           solid_.options().skip_empty ? Window{std::max(own.lo, window.lo), std::min(own.hi, window.hi)} : window;
       const SpanList rest = folded(index, node, solid_.children(node).subspan(1), both);
-      std::optional<Boundary> first;
-      bool is_done = false;
+      std::optional<Boundary> next;
       merge(index, Operation::subtract, span, rest, [&](const Boundary& boundary) {
-        is_done = is_first(boundary, window, first);
-        return !is_done;
+        if (is_behind(boundary, limits_.lo)) next = boundary;
+        return !next;
       });
-      if (is_done) return first;
+      if (next) return within_limits(*next);
       stack_.truncate(size);
     }
     return std::nullopt;
@@ -384,6 +331,7 @@ class SolidEvaluator {
   const SolidRay<level>& ray_;
   BoundaryOrder<level> order_;
   Probe& probe_;
+  Window limits_{};  ///< As given to first().
   SpanStack stack_;
   OperandList found_;
 };

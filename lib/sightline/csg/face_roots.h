@@ -61,6 +61,7 @@ class QuickRay {
   const Ray<double>& ray() const { return *ray_; }
   bool is_moderate() const { return is_moderate_; }
   bool has_zero() const { return has_zero_; }
+  const Vec3<Real>& inverse() const { return inverse_; }  ///< Of the direction.
   bool is_valid() const { return is_valid_; }
 
   /// Where a plane across an axis is passed, if the direction is not 0 there. In double off by three roundings:
@@ -121,54 +122,6 @@ RootList quick_roots(const S& surface, const QuickRay<level>& quick, const Frame
     }
     return face_roots<level>(surface, LocalRay<level>(quick.ray(), frame));
   }
-}
-
-namespace detail {
-
-/// By the same polynomial from a point of the ray next to the root, where little cancels. False where that does not
-/// tell enough.
-template <Level level, class S>
-[[gnu::flatten, gnu::noinline]] bool refine_root(const S& surface, const QuickRay<level>& ray, const Frame* frame,
-                                                 std::uint32_t index, double near, Root& root) {
-  if (!(std::fabs(near) <= SizedDouble::largest)) return false;
-  Line<BoundedDouble> line = frame ? FramedRay(ray.ray(), frame).template in<BoundedDouble>()
-                                   : FramedRay(ray.ray()).template in_world<BoundedDouble>();
-  for (std::size_t i = 0; i < 3; ++i) line.origin[i] = line.origin[i] + BoundedDouble(near) * line.direction[i];
-  const RootList list = roots_of(solid::form_of(surface, line));
-  if (!list.is_certain || list.count != 2) return false;
-  const Root& offset = index == 0 ? list.roots[0] : list.roots[1];
-  root.t = near + offset.t;
-  root.radius = (offset.radius + std::fabs(root.t) * 0x1p-53) * (1 + 0x1p-40);
-  root.multiplicity = 1;
-  return is_accurate(root.t, root.radius, level);
-}
-
-}  // namespace detail
-
-/// A root that quick_roots has found near t, as accurate as the level asks for.
-template <Level level>
-[[gnu::noinline]] Root refined_root(const Primitive& primitive, std::uint32_t face, std::uint32_t index, double t,
-                                    const QuickRay<level>& ray, const Frame* frame) {
-  Root root;
-  if (level == Level::watertight && face == 0 && primitive.is_moderate && ray.is_moderate()) {
-    const auto* sphere = std::get_if<solid::Sphere>(&primitive.shape);
-    const auto* cylinder = std::get_if<solid::Cylinder>(&primitive.shape);
-    if (sphere && detail::refine_root(*sphere, ray, frame, index, t, root)) return root;
-    if (cylinder && detail::refine_root(*cylinder, ray, frame, index, t, root)) return root;
-  }
-  const LocalRay<level> local(ray.ray(), frame);
-  return std::visit(
-      [&]<class S>(const S& surface) {
-        if constexpr (std::is_same_v<S, solid::Torus> || level == Level::fast) {
-          return face_roots<level>(surface, local).roots[index];
-        } else {
-          const RootList list = roots_of(solid::form_of(surface, local.line()));
-          const Root& rough = list.roots[index];
-          if (list.is_certain && is_accurate(rough.t, rough.radius, level)) return rough;
-          return settled_root(surface, local, level, index);
-        }
-      },
-      surface_of(primitive.shape, face));
 }
 
 }  // namespace sightline

@@ -3,6 +3,7 @@
 #include "sightline/csg/primitive_bounds.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -174,12 +175,17 @@ Range range_of(const std::shared_ptr<const ClosedMesh>& mesh, const Row& row) {
   throw std::invalid_argument("expected " + expected + ", found " + found);
 }
 
+/// All its digits.
+std::string text_of(double value) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
 void check_finite(const Vec3d& v, const char* what) {
   if (!is_finite(v)) refuse(std::string("finite coordinates of the ") + what, "one that is not");
 }
 void check_size(double x, const char* what) {
-  if (!(std::isfinite(x) && x >= 0))
-    refuse(std::string("a ") + what + " that is finite and not negative", std::to_string(x));
+  if (!(std::isfinite(x) && x >= 0)) refuse(std::string("a ") + what + " that is finite and not negative", text_of(x));
 }
 void check_ends(const Vec3d& a, const Vec3d& b, const char* what) {
   if (a == b) refuse(std::string("two ends of the ") + what + " that are apart", "one point");
@@ -189,7 +195,7 @@ struct Check {
   void operator()(const solid::HalfSpace& half) const {
     check_finite(half.normal, "half-space's normal");
     if (half.normal == Vec3d(0)) refuse("a half-space's normal that is not zero", "zero");
-    if (!std::isfinite(half.offset)) refuse("a half-space's finite offset", std::to_string(half.offset));
+    if (!std::isfinite(half.offset)) refuse("a half-space's finite offset", text_of(half.offset));
   }
   void operator()(const solid::Sphere& sphere) const {
     check_finite(sphere.center, "sphere's center");
@@ -201,7 +207,7 @@ struct Check {
     for (int axis = 0; axis < 3; ++axis) {
       if (box.lo[axis] > box.hi[axis]) {
         refuse(std::string("a box's lo not above its hi on axis ") + "xyz"[axis],
-               std::to_string(box.lo[axis]) + " and " + std::to_string(box.hi[axis]));
+               text_of(box.lo[axis]) + " and " + text_of(box.hi[axis]));
       }
     }
   }
@@ -219,7 +225,7 @@ struct Check {
   }
   void operator()(const solid::Quadric& quadric) const {
     for (const double x : quadric.coefficients) {
-      if (!std::isfinite(x)) refuse("ten finite coefficients of the quadric", std::to_string(x));
+      if (!std::isfinite(x)) refuse("ten finite coefficients of the quadric", text_of(x));
     }
   }
   void operator()(const solid::Torus& torus) const {
@@ -255,7 +261,7 @@ void check(const SolidShape& shape) { std::visit(Check(), shape); }
 void check(const Frame& frame) {
   for (const auto& row : frame.rows) {
     for (const double x : row) {
-      if (!std::isfinite(x)) refuse("finite numbers in a frame", std::to_string(x));
+      if (!std::isfinite(x)) refuse("finite numbers in a frame", text_of(x));
     }
   }
   if (!frame.is_identity() && !placement_of(frame).is_certain) refuse("a frame that can be inverted", "a flat one");

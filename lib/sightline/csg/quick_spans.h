@@ -137,7 +137,10 @@ template <Level level>
 
 /// Whether it can be clear.
 inline bool has_quick_span(const Primitive& primitive) {
-  return primitive.is_moderate && primitive.frame == 0 && primitive.shape.index() >= 1 && primitive.shape.index() <= 3;
+  const SolidShape& shape = primitive.shape;
+  return primitive.is_moderate && primitive.frame == 0 &&
+         (std::holds_alternative<solid::Sphere>(shape) || std::holds_alternative<solid::Box>(shape) ||
+          std::holds_alternative<solid::Cylinder>(shape));
 }
 
 }  // namespace sightline

@@ -247,6 +247,7 @@ class Solid::Builder {
       parts.taken.push_back({primitive, node->bounds});
     }
     if (indexed && indexed->index != SolidNode::no_index) parts.index = solid_.indices_[indexed->index];
+    if (!parts.index) parts.lanes = ConvexLanes::build(solid_.primitives_, parts.kept, taken);
     solid_.convex_parts_ = std::move(parts);
   }
 

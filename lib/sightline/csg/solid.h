@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sightline/accel/options.h"
+#include "sightline/csg/convex_lanes.h"
 #include "sightline/csg/operand_index.h"
 #include "sightline/csg/solid_tree.h"
 #include "sightline/csg/span_list.h"
@@ -73,7 +74,11 @@ struct ConvexParts {
   std::vector<std::uint32_t> kept;
   std::vector<Taken> taken;
   std::shared_ptr<const OperandIndex> index;  ///< Of `taken`, by place there; or null.
+  std::shared_ptr<const ConvexLanes> lanes;   ///< Of all; or null, as it is where there is an index.
 };
+
+/// What a walk along convex parts comes to. An unclear one leaves the ray to the evaluation by lists.
+enum class WalkOutcome { unclear, none, found };
 
 /// Immutable, and safe to ask from many threads.
 class Solid {

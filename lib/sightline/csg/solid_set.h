@@ -1,6 +1,7 @@
 #pragma once
 /// Solids as primitives of the accelerators: each is one, however many parts it has.
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -122,6 +123,25 @@ class SolidLeaves {
     }
   }
 
+  /// Whether any solid has a crossing in the ray's range.
+  template <class T>
+  bool has_crossing(PreparedRay<T>& ray, LeafRange leaf) const {
+    for (const std::uint32_t id : order_.subspan(leaf.first, leaf.count)) {
+      const WalkOutcome outcome = walk_any(solids_[id], ray.ready(), ray.ray().t_min, ray.ray().t_max, probe_);
+      if (outcome == WalkOutcome::none) continue;
+      if (outcome == WalkOutcome::found) return true;
+      bool is_hit = false;
+      const auto see = [&](std::uint32_t, const Crossing& crossing) {
+        const T t = static_cast<T>(crossing.t);
+        is_hit = t <= ray.ray().t_max && t < std::numeric_limits<T>::infinity();
+        return false;
+      };
+      see_first(id, ray, ray.ray().t_max, see);
+      if (is_hit) return true;
+    }
+    return false;
+  }
+
   /// The same for all crossings.
   template <class T, class See>
   void for_each_crossing(PreparedRay<T>& ray, LeafRange leaf, T, See&& see) const {
@@ -137,14 +157,29 @@ class SolidLeaves {
  private:
   template <class T, class See>
   bool see_first(std::uint32_t id, PreparedRay<T>& ray, T far, See& see) const {
-    SolidEvaluator<level, Probe> evaluator(solids_[id], ray.ready(), probe_);
+    const SolidRay<level>& ready = ray.ready();
     double t_min = ray.ray().t_min;
-    while (const auto boundary = evaluator.first(t_min, far)) {
+    Boundary boundary;
+    while (is_found(solids_[id], ready, t_min, far, boundary)) {
       // Rounded to the ray's precision it may not be behind t_min any more.
-      if (static_cast<T>(boundary->t) > ray.ray().t_min) return see(id, crossing_of(*boundary));
-      t_min = boundary->t;
+      if (static_cast<T>(boundary.t) > ray.ray().t_min) return see(id, crossing_of(boundary));
+      t_min = boundary.t;
     }
     return true;
+  }
+
+  bool is_found(const Solid& solid, const SolidRay<level>& ray, double t_min, double t_max, Boundary& first) const {
+    const WalkOutcome outcome = walk_first(solid, ray, t_min, t_max, probe_, first);
+    if (outcome != WalkOutcome::unclear) [[likely]]
+      return outcome == WalkOutcome::found;
+    return is_found_by_lists(solid, ray, t_min, t_max, first);
+  }
+  [[gnu::noinline]] bool is_found_by_lists(const Solid& solid, const SolidRay<level>& ray, double t_min, double t_max,
+                                           Boundary& first) const {
+    if (!ray.is_valid()) return false;
+    const auto boundary = SolidEvaluator<level, Probe>(solid, ray, probe_).first_by_lists(t_min, t_max);
+    if (boundary) first = *boundary;
+    return boundary.has_value();
   }
 
   const SolidSet<level>& solids_;

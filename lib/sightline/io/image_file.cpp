@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -13,17 +12,10 @@
 #include "sightline/io/file_bytes.h"
 #include "sightline/io/file_error.h"
 #include "sightline/io/output_file.h"
+#include "sightline/io/srgb.h"
 
 namespace sightline {
 namespace {
-
-/// IEC 61966-2-1. NaN becomes black.
-float encode_srgb(float linear) {
-  const float x = linear > 0 ? std::min(linear, 1.0f) : 0.0f;
-  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
-}
-
-float decode_srgb(float x) { return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f); }
 
 /// Alpha is never encoded.
 bool is_color(std::size_t i, int channels) {

@@ -37,6 +37,19 @@ inline std::size_t too_deep_at(std::string_view text) {
   return text.size();
 }
 
+/// The number of the line in which a byte is, from 1.
+inline std::size_t line_at(std::string_view text, std::size_t byte) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
+  return static_cast<std::size_t>(std::count(text.begin(), end, '\n')) + 1;
+}
+
+/// What stands at the byte, counted from 1, at which a parser gave up.
+inline std::string found_at(std::string_view text, std::size_t byte) {
+  if (byte == 0 || byte > text.size()) return "the end at byte " + std::to_string(text.size());
+  const std::string_view rest = text.substr(byte - 1, 20);
+  return "'" + std::string(rest.substr(0, rest.find('\n'))) + "' at byte " + std::to_string(byte);
+}
+
 /// Throws FileError with the line.
 inline nlohmann::json parse_json(const std::filesystem::path& path, std::string_view text) {
   if (const std::size_t at = too_deep_at(text); at < text.size()) {
@@ -46,12 +59,12 @@ inline nlohmann::json parse_json(const std::filesystem::path& path, std::string_
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
-    const auto line =
-        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())), '\n');
-    throw FileError(path, static_cast<std::size_t>(line) + 1, "JSON",
-                    "byte " + std::to_string(error.byte) + " not to fit");
-  } catch (const nlohmann::json::exception&) {
-    throw FileError(path, 0, "JSON", "a number out of range");
+    throw FileError(path, line_at(text, error.byte), "JSON", found_at(text, error.byte));
+  } catch (const nlohmann::json::out_of_range& error) {
+    std::string_view number = error.what();  // which ends with it, in quotes
+    number = number.substr(std::min(number.find('\''), number.size()));
+    if (number.size() > 2) number = number.substr(1, number.size() - 2);
+    throw FileError(path, line_at(text, text.find(number)), "a number that a double holds", std::string(number));
   }
 }
 

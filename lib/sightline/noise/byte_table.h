@@ -16,8 +16,8 @@ inline constexpr bool can_look_up_bytes = false;
 /// Of the 256 bytes at `table`, aligned to 64, the one that the lowest byte of each lane says, in the lowest byte of
 /// the lane; those above it are anything.
 template <class V>
+  requires(can_look_up_bytes)
 HWY_INLINE V look_up_byte([[maybe_unused]] const std::uint8_t* table, V index) {
-  static_assert(can_look_up_bytes && sizeof(V) > 0);
 #ifdef __AVX512VBMI__
   const auto quarter = [table](int i) HWY_ATTR { return _mm512_load_si512(table + 64 * i); };
   const auto looked_up = [&](__m512i at) HWY_ATTR {

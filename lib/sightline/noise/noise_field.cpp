@@ -102,6 +102,15 @@ double NoiseField::amplitude() const {
   return sum;
 }
 
+double NoiseField::lost_amplitude(double footprint) const {
+  double sum = 0;
+  for (const Octave& octave : octaves_) {
+    const double weight = weight_of(octave, footprint);
+    sum += octave.amplitude * octave.amplitude * (1 - weight * weight);
+  }
+  return std::sqrt(sum);
+}
+
 /// Up to block_size points with what is found of them, axis by axis. A single point is a block of one, so that it goes
 /// through the very same operations.
 template <int dims, class T, bool has_gradient>

@@ -26,10 +26,15 @@ class NoiseField {
 
   const FieldOptions& options() const { return options_; }
 
+  /// That of the first octave, in lattice cells: without frequency or warp.
+  const Noise& noise() const { return octaves_.front().noise; }
   /// How many octaves a footprint leaves to compute.
   int octaves_within(double footprint) const;
   /// The sum of all octaves' amplitudes: what bounds of noise are multiplied by.
   double amplitude() const;
+  /// What a footprint takes from the octaves: the root of the sum of their amplitudes' squares, less what is left of
+  /// each. Times the standard deviation of one octave, it is that of what is not seen.
+  double lost_amplitude(double footprint) const;
 
   template <int dims, class T>
   T operator()(const glm::vec<dims, T>& p, T footprint = 0) const;

@@ -93,10 +93,14 @@ struct AnyQuery {
   AnyQuery(const Leaves& leaves, const Ray<T>& its_ray) : ray(its_ray), prepared(leaves.prepare(its_ray)) {}
 
   [[gnu::always_inline]] T visit(const Leaves& leaves, LeafRange leaf) {
-    detail::for_first_crossings(leaves, prepared, leaf, ray.t_max, [&](std::uint32_t, const Crossing& crossing) {
-      is_found = detail::is_in_range(ray, detail::parameter<T>(crossing));
-      return !is_found;
-    });
+    if constexpr (requires { leaves.has_crossing(prepared, leaf); }) {
+      is_found = leaves.has_crossing(prepared, leaf);
+    } else {
+      detail::for_first_crossings(leaves, prepared, leaf, ray.t_max, [&](std::uint32_t, const Crossing& crossing) {
+        is_found = detail::is_in_range(ray, detail::parameter<T>(crossing));
+        return !is_found;
+      });
+    }
     return is_found ? -std::numeric_limits<T>::infinity() : ray.t_max;
   }
 };

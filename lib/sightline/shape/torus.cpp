@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "sightline/math/algebraic_root.h"
 #include "sightline/math/quartic.h"
@@ -139,65 +140,95 @@ RootList rescaled_roots(const Torus& torus, const Ray<double>& ray, Level level)
   return list;
 }
 
+/// The sum of squares of high + low, up to what low^2 adds, where low is some roundings of what high comes from.
+/// Rounding errors of the first order are kept (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005).
+[[gnu::always_inline]] inline DoubleDouble sum_of_squares(const Triple<DoubleDouble>& v) {
+  const TwoTerms x = two_product(v[0].high, v[0].high), y = two_product(v[1].high, v[1].high),
+                 z = two_product(v[2].high, v[2].high);
+  const TwoTerms xy = two_sum(x.high, y.high), xyz = two_sum(xy.high, z.high);
+  const double mixed = std::fma(v[0].high, v[0].low, std::fma(v[1].high, v[1].low, v[2].high * v[2].low));
+  return DoubleDouble(two_sum(xyz.high, (x.low + y.low + z.low) + (xy.low + xyz.low) + (mixed + mixed)));
+}
+
 /// The polynomial at t in some 100 bits, from the point there, and a proven bound of its error.
 class WideTorus {
  public:
   /// Sizes are moderate.
   WideTorus(const Torus& torus, const Ray<double>& ray, const Sizes& sizes)
-      : ray_(ray), sizes_(sizes), axis_(triple<DoubleDouble>(torus.axis)), size2_(dot(axis_, axis_)) {
+      : ray_(ray), axis_(torus.axis), size2_(sum_of_squares(triple<DoubleDouble>(torus.axis))) {
     for (int i = 0; i < 3; ++i) {
       from_center_[static_cast<std::size_t>(i)] = DoubleDouble(two_sum(ray.origin[i], -torus.center[i]));
     }
     const DoubleDouble major2(two_product(torus.major, torus.major)), minor2(two_product(torus.minor, torus.minor));
     difference_ = major2 - minor2;
     scale_ = {4 * major2.high, 4 * major2.low};
+    a2_ = 3 * sizes.axis * sizes.axis;
+    radius2_ = sizes.radius * sizes.radius;
   }
 
-  BoundedValue<DoubleDouble> at(double t) const {
+  [[gnu::always_inline]] BoundedValue<DoubleDouble> at(double t) const {
     Triple<DoubleDouble> q;
     for (int i = 0; i < 3; ++i) {
       const auto k = static_cast<std::size_t>(i);
       q[k] = from_center_[k] + DoubleDouble(two_product(t, ray_.direction[i]));
     }
-    const DoubleDouble q2 = dot(q, q), g = q2 + difference_;
-    const Triple<DoubleDouble> v = cross(axis_, q);
-    const DoubleDouble value = size2_ * (g * g) - scale_ * dot(v, v);
-    // As S2, of operations that are off by 10 u^2 at most: fewer than 32 times that, 2^-97.
+    const DoubleDouble g = sum_of_squares(q) + difference_;
+    const DoubleDouble v2 = sum_of_squares({cross_part(1, 2, q), cross_part(2, 0, q), cross_part(0, 1, q)});
+    const DoubleDouble value = size2_ * (g * g) - scale_ * v2;
+    // Of sums of absolute values, as in S2, q is off by 4 u^2, its square and that of v by fewer than 50, and the whole
+    // by fewer than 2^8: 2^-98, and twice that.
     const double point = std::max({std::fabs(q[0].high), std::fabs(q[1].high), std::fabs(q[2].high)});
-    const double a2 = 3 * sizes_.axis * sizes_.axis, w2 = 3 * point * point;
-    const double g_size = w2 + sizes_.radius * sizes_.radius, s = 16 * sizes_.radius * sizes_.radius * a2;
-    return {value, 0, 0x1p-97 * (a2 * g_size * g_size + s * w2) + 0x1p-700};
+    const double w2 = 3 * point * point, g_size = w2 + radius2_;
+    return {value, 0, 0x1p-97 * a2_ * (g_size * g_size + 16 * radius2_ * w2) + 0x1p-700};
   }
 
  private:
+  /// A component of axis x q.
+  DoubleDouble cross_part(int i, int j, const Triple<DoubleDouble>& q) const {
+    const DoubleDouble &qi = q[static_cast<std::size_t>(i)], &qj = q[static_cast<std::size_t>(j)];
+    const TwoTerms a = two_product(axis_[i], qj.high), b = two_product(-axis_[j], qi.high);
+    const TwoTerms sum = two_sum(a.high, b.high);
+    return {sum.high, (a.low + b.low + sum.low) + std::fma(axis_[i], qj.low, -axis_[j] * qi.low)};
+  }
+
   const Ray<double>& ray_;
-  Sizes sizes_;
-  Triple<DoubleDouble> axis_, from_center_;
+  Vec3d axis_;
+  Triple<DoubleDouble> from_center_;
   DoubleDouble size2_, difference_, scale_;
+  double a2_, radius2_;
 };
 
-/// Rounds simple roots correctly by a step of Newton's from the double nearby, as far as 100 bits can; false where they
+/// Rounds simple roots correctly by steps of Newton's from the doubles nearby, as far as 100 bits can; false where they
 /// cannot. `f` is the polynomial in t - t0.
 bool round_roots(const BoundedPolynomial<Arithmetic<DoubleBall>, 4>& f, const WideTorus& wide, double t0,
                  RootList& list) {
-  for (int i = 0; i < list.count; ++i) {
-    Root& root = list.roots[static_cast<std::size_t>(i)];
-    const double start = t0 + root.t;
-    // The step ends in the root for a slope somewhere between here and there (mean value theorem).
-    const double away = 2 * root.radius + 0x1p-51 * std::fabs(start), size = std::fabs(root.t) + away;
-    const double slope = f.at(root.t).slope;
-    const double slope_off = (f.slope_bound(size) + 2 * away * f.half_curvature(size)) / std::fabs(slope);
-    if (!(slope_off < 0x1p-4)) return false;
-    const BoundedValue<DoubleDouble> at = wide.at(start);
-    const DoubleDouble t(two_sum(start, -at.value.high / slope));
-    const double off =
-        std::fabs(t.low) +
-        (at.bound / std::fabs(slope) + std::fabs(at.value.high / slope) * (slope_off + 0x1p-50)) * (1 + 0x1p-3);
-    const double reach = off * (1 + 0x1p-40);
-    // What is less than half way to the neighbours is rounded back.
-    if (t.high + reach != t.high || t.high - reach != t.high || !(std::fabs(t.high) > 0x1p-900)) return false;
-    root.t = t.high;
-    root.radius = reach;
+  const auto roots = std::span(list.roots).first(static_cast<std::size_t>(list.count));
+  double size = 0;  // of t - t0 wherever the steps come to
+  for (const Root& root : roots) size = std::max(size, std::fabs(root.t) + 4 * root.radius);
+  size += 0x1p-49 * (std::fabs(t0) + size);
+  const double unsure = f.slope_bound(size), curvature = 2 * f.half_curvature(size);
+  for (Root& root : roots) {
+    double start = t0 + root.t, away = 2 * root.radius + 0x1p-51 * std::fabs(start);  // more than start is off by
+    const double rounding = 0x1p-51 * (std::fabs(start) + std::fabs(root.t));         // more than start - t0 is
+    bool is_rounded = false;
+    // Where the polynomial is strongly curved the first step leaves too much, and the second next to nothing.
+    for (int step = 0; step < 3 && !is_rounded; ++step) {
+      // It ends in the root for a slope somewhere between here and there (mean value theorem).
+      const double slope = f.at(start - t0).slope, per_slope = (1 + 0x1p-50) / std::fabs(slope);
+      const double slope_off = (unsure + curvature * (away + rounding)) * per_slope;
+      if (!(slope_off < 0x1p-4)) return false;
+      const BoundedValue<DoubleDouble> at = wide.at(start);
+      const double by = -at.value.high / slope;
+      const DoubleDouble t(two_sum(start, by));
+      const double left = (at.bound * per_slope + std::fabs(by) * (slope_off + 0x1p-50)) * (1 + 0x1p-3);
+      const double reach = (std::fabs(t.low) + left) * (1 + 0x1p-40);
+      if (!(std::fabs(t.high) > 0x1p-900) || !(reach < away)) return false;
+      // What is less than half way to the neighbours is rounded back.
+      is_rounded = t.high + reach == t.high && t.high - reach == t.high;
+      root.t = start = t.high;
+      root.radius = away = reach;
+    }
+    if (!is_rounded) return false;
   }
   return true;
 }

@@ -1,0 +1,36 @@
+#include "bench/subcommand.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "bench/command_line.h"
+#include "bench/text_table.h"
+
+namespace sightline::bench {
+
+std::vector<Level> parse_levels(const std::vector<std::string>& names) {
+  std::vector<Level> levels;
+  for (const std::string& name : names) {
+    const auto info =
+        std::find_if(level_infos.begin(), level_infos.end(), [&](const auto& i) { return i.name == name; });
+    if (info == level_infos.end())
+      throw UsageError("unknown level '" + name + "'; expected some of fast, watertight, precise, exact");
+    if (std::find(levels.begin(), levels.end(), info->level) != levels.end())
+      throw UsageError("--precision names " + name + " twice");
+    levels.push_back(info->level);
+  }
+  return levels;
+}
+
+void require_known(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    throw UsageError("unknown " + what + " '" + name + "'; expected one of " + joined(known));
+}
+
+void print(const std::string& text) {
+  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
+    throw std::runtime_error("standard output cannot be written");
+}
+
+}  // namespace sightline::bench

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "viz/noise/field_flags.h"
+
+namespace sightline::viz {
+
+/// `sightline-view noise`: its options, and what it does.
+class NoiseCommand {
+ public:
+  explicit NoiseCommand(CLI::App& program);
+
+  bool is_chosen() const { return command_->parsed(); }
+  /// The exit status. \throws UsageError, std::invalid_argument, FileError, ScreenError
+  int run() const;
+
+ private:
+  CLI::App* command_;
+  FieldFlags field_;
+  std::string panel_, point_ = "1.6,1.35", size_ = "1600x1000", slice_ = "z=0.5";
+  std::vector<std::string> outs_;
+  double extent_ = 4;
+};
+
+}  // namespace sightline::viz
