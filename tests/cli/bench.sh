@@ -156,6 +156,28 @@ if command -v povray >/dev/null; then
   expect_prints 'sees otherwise: 0 of coverage'
 fi
 
+# ---- Noise
+
+run "$bench" noise --help
+expect_exit 0
+expect_quiet
+for word in --rounds --quick --json --self-check libnoise stb_perlin; do expect_prints "$word"; done
+refuses 2 rounds "$bench" noise --rounds 0
+refuses 2 stray "$bench" noise stray
+refuses 2 table "$bench" noise --json -
+refuses 1 /dev/null "$bench" noise --json /dev/null/out.json
+run "$bench" noise --quick --rounds 1 --json out.json
+expect_exit 0
+for word in 'perlin float scalar' 'improved double batch' 'fbm of 8 float batch' 'central differences' 'at the double point'; do
+  expect_prints "$word"
+done
+check 'times in the JSON file' grep -q '"seconds_a_point"' "$work/out.json"
+run "$bench" noise --quick --rounds 1 --self-check --json out.json
+expect_exit 1
+expect_one_line
+expect_says 'is wrong, so no times are shown'
+expect_no_file
+
 # ---- Tori
 
 torus=(torus --quick --rays 200 --rounds 3)

@@ -25,7 +25,7 @@ for line in "${commands[@]}"; do
     './sightline test ') words=("${words[@]:0:2}" --help) ;; # this is that command, and would run itself for ever
     './sightline tour ') [[ $line == *--out* ]] || words+=(--out tour) ;;
     './sightline view ') [[ $line != *partitions* || $line == *--out* ]] || words+=(--out window.vtp) ;;
-    './sightline probe ') words=("${words[@]/#data\//$root/data/}") ;;
+    './sightline probe ' | './sightline noise ') words=("${words[@]/#data\//$root/data/}") ;;
     './sightline bench ') [[ $line == *--quick* ]] || words+=(--quick) ;;
   esac
   for word in "${words[@]:1}"; do

@@ -29,12 +29,10 @@ HashedLattice::HashedLattice(std::uint64_t seed, std::uint32_t period) : mask_(p
   for (std::size_t axis = 0; axis < 3; ++axis) offsets_[axis] = random.next();
 }
 
-PermutedLattice::PermutedLattice(std::uint64_t seed) {
-  std::array<std::uint8_t, 256> once = standard_permutation;
+PermutedLattice::PermutedLattice(std::uint64_t seed) : bytes_(standard_permutation) {
   Random random(seed);
-  for (std::uint32_t left = 256; seed != 0 && left > 1; --left) std::swap(once[left - 1], once[random.below(left)]);
-  std::copy(once.begin(), once.end(), permutation_.begin());
-  std::copy(once.begin(), once.end(), permutation_.begin() + 256);
+  for (std::uint32_t left = 256; seed != 0 && left > 1; --left) std::swap(bytes_[left - 1], bytes_[random.below(left)]);
+  std::copy(bytes_.begin(), bytes_.end(), permutation_.begin());
 }
 
 }  // namespace sightline

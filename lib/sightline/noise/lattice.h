@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "sightline/math/simd.h"
+#include "sightline/noise/byte_table.h"
 #include "sightline/noise/directions.h"
 
 namespace sightline {
@@ -137,8 +138,8 @@ class HashedLattice {
   bool is_periodic_;
 };
 
-/// A permutation of 256 numbers, looked up once for each coordinate: the lattice repeats after 256 points. Perlin, "An
-/// Image Synthesizer", 1985.
+/// A permutation of 256 numbers, looked up once for each coordinate: the lattice repeats after 256 points. Only the
+/// lowest byte of keys and hashes counts. Perlin, "An Image Synthesizer", 1985.
 class PermutedLattice {
  public:
   /// Seed 0 is the standard permutation of Perlin, "Improving Noise", 2002; others are shuffled.
@@ -148,8 +149,8 @@ class PermutedLattice {
   std::uint32_t lead(std::size_t) const { return 0; }
 
   template <class D, class Axis, class V = hn::Vec<D>>
-  HWY_INLINE V spread(D d, Axis, V key) const {
-    return hn::And(key, hn::Set(d, 255u));
+  HWY_INLINE V spread(D, Axis, V key) const {
+    return key;
   }
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE V joined(D d, V x, V y, V z) const {
@@ -179,12 +180,19 @@ class PermutedLattice {
 
  private:
   template <class D, class V = hn::Vec<D>>
-  HWY_INLINE V permuted(D, V x) const {
-    const hn::RebindToSigned<D> di;
-    return hn::BitCast(D(), hn::GatherIndex(di, permutation_.data(), hn::BitCast(di, x)));
+  HWY_INLINE V permuted([[maybe_unused]] D d, V x) const {
+    if constexpr (can_look_up_bytes) {
+      return look_up_byte(bytes_.data(), x);
+    } else {
+      const hn::RebindToSigned<D> di;
+      const auto index = hn::BitCast(di, hn::And(x, hn::Set(d, 255u)));
+      return hn::BitCast(d, hn::GatherIndex(di, permutation_.data(), index));
+    }
   }
 
-  std::array<std::int32_t, 512> permutation_;  ///< Twice over, for sums of two numbers below 256.
+  /// The same, for whichever way a processor looks them up.
+  alignas(64) std::array<std::uint8_t, 256> bytes_;
+  std::array<std::int32_t, 256> permutation_;
 };
 
 }  // namespace sightline

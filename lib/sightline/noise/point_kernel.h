@@ -50,7 +50,7 @@ class PointKernel {
   static constexpr std::size_t corner_count = std::size_t{1} << dims;
   static constexpr bool is_above(std::size_t corner, std::size_t axis) { return corner >> (axes - 1 - axis) & 1; }
 
-  /// A number for each axis, the last of which may be none.
+  /// A number for each axis, the last of which may be of none.
   static constexpr std::size_t axis_lanes = corner_count / 2;
   template <class N>
   using AxisArray = std::array<N, axis_lanes>;
@@ -72,12 +72,18 @@ class PointKernel {
     AxisVectors s, slope;
   };
 
+  /// One by one: who asks for a point has often just written its coordinates like that, and a processor waits long for
+  /// what it then is to read as a whole. The last lane may be any coordinate.
   static HWY_INLINE hn::Vec<Axes> loaded(const T* point, std::size_t first) {
     const Axes d;
-    if constexpr (HWY_TARGET <= HWY_AVX2) return hn::MaskedLoad(hn::FirstN(d, axes - first), d, point + first);
-    alignas(64) AxisArray<T> padded{};
-    std::copy_n(point, axes, padded.begin());
-    return hn::Load(d, padded.data() + first);
+    const auto x = hn::Set(d, point[first]);
+    if (first + 1 == axes) return x;
+    const auto xy = hn::InterleaveLower(d, x, hn::Set(d, point[first + 1]));
+    if constexpr (axis_lanes == 2 || hn::MaxLanes(d) == 2) {
+      return xy;
+    } else {
+      return hn::ConcatLowerLower(d, hn::Set(d, point[2]), xy);
+    }
   }
 
   HWY_INLINE void finish(Cell& cell) const {

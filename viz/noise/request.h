@@ -1,0 +1,44 @@
+#pragma once
+/// What sightline-noise is asked for, checked as far as it does not depend on the points.
+
+#include <optional>
+#include <string>
+
+#include "sightline/math/level.h"
+#include "sightline/noise/noise_field.h"
+
+namespace sightline::noise_tool {
+
+struct Slice {
+  int width = 512, height = 512;
+  double z = 0;
+  double extent = 8;  ///< Lattice cells across the picture, around the origin.
+};
+
+struct Request {
+  FieldOptions field;
+  Level precision = Level::precise;  ///< `fast` is float, `precise` double.
+  double footprint = 0;
+  bool has_gradient = false;
+  std::string in = "-";
+  std::string image;  ///< Where points are not asked for, but a picture.
+  Slice slice;
+};
+
+/// \throws std::invalid_argument naming the flag, what was expected and what was found.
+NoiseKind parse_kind(const std::string& text);
+Ease parse_ease(const std::string& text);
+FractalKind parse_fractal(const std::string& text);
+Level parse_precision(const std::string& text);
+/// "640x480"
+void parse_size(const std::string& text, Slice& slice);
+
+/// "perlin|improved|value|white" and the like, of which `lines` has one with its description each.
+struct Choices {
+  std::string names, lines;
+};
+Choices kinds();
+Choices eases();
+Choices fractals();
+
+}  // namespace sightline::noise_tool
