@@ -8,8 +8,9 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "viz/noise/answer.h"
-#include "viz/noise/slice.h"
+#include "viz/noise_tool/answer.h"
+#include "viz/noise_tool/field_flags.h"
+#include "viz/noise_tool/slice.h"
 
 namespace sightline::noise_tool {
 namespace {
@@ -36,42 +37,17 @@ Examples
   echo '3.14 42 7' | sightline-noise --kind improved --gradient
   sightline-noise --in points.txt --fractal fbm --octaves 6 --gain 0.5
   sightline-noise --image clouds.png --fractal fbm --extent 4 --size 800x600
-  sightline-noise --image slice.exr --z 0.5                           values as they are
+  sightline-noise --image slice.exr --slice z=0.5                         values as they are
 
 Exit status: 0 all lines were answered, 1 some could not be, or a file could not be read or written, 2 wrong usage.
 )";
 
 struct Words {
-  std::string kind = "perlin", ease = "cubic", fractal = "none", precision = "precise", size = "512x512";
+  std::string precision = "precise", size = "512x512", slice = "z=0";
 };
 
 void add_options(CLI::App& app, Request& request, Words& words) {
-  FieldOptions& field = request.field;
   const auto text = [](auto number) { return "; default " + CLI::detail::to_string(number); };
-  app.add_option("--kind", words.kind, "What lattice points give; default perlin" + kinds().lines)
-      ->option_text(kinds().names);
-  app.add_option("--ease", words.ease,
-                 "How perlin and value go from one lattice point to the next; default cubic"
-                 "\n  cubic: 3 t^2 - 2 t^3, whose curvature jumps at lattice points"
-                 "\n  quintic: 6 t^5 - 15 t^4 + 10 t^3, whose curvature does not")
-      ->option_text(eases().names);
-  app.add_option("--seed", field.noise.seed, "Another seed, another noise; default 0, of improved Perlin's own table")
-      ->option_text("N");
-  app.add_option("--period", field.noise.period,
-                 "Repeat after so many cells: a power of two up to 2^30; default 0, never (improved: always 256)")
-      ->option_text("N");
-  app.add_option("--fractal", words.fractal, "What is made of octaves; default none" + fractals().lines)
-      ->option_text(fractals().names);
-  app.add_option("--octaves", field.octaves, "Of a fractal, 1 to 32" + text(field.octaves))->option_text("N");
-  app.add_option("--lacunarity", field.lacunarity,
-                 "How much finer each octave is: above 1, at most 16" + text(field.lacunarity))
-      ->option_text("L");
-  app.add_option("--gain", field.gain, "How strong, of the one before: above 0, at most 1" + text(field.gain))
-      ->option_text("G");
-  app.add_option("--frequency", field.frequency, "Lattice cells per unit of length" + text(field.frequency))
-      ->option_text("F");
-  app.add_option("--warp", field.warp, "Move points by noise first, by up to so many cells" + text(field.warp))
-      ->option_text("CELLS");
   app.add_option(
          "--footprint", request.footprint,
          "Width of what a value stands for: octaves too fine for it fade to their mean" + text(request.footprint))
@@ -92,7 +68,7 @@ void add_image_options(CLI::App& app, Request& request, Words& words, std::vecto
                  "they are; in PNG and the like -1 is black and 1 is white, times the sum of all amplitudes")
       ->option_text("FILE");
   of_image = {app.add_option("--size", words.size, "Pixels of the slice; default 512x512")->option_text("WxH"),
-              app.add_option("--z,--slice", request.slice.z, "Where it is cut; default 0")->option_text("Z"),
+              app.add_option("--slice", words.slice, "Where space is cut; default z=0")->option_text("z=POSITION"),
               app.add_option("--extent", request.slice.extent, "Cells across, around the origin; default 8")
                   ->option_text("CELLS")};
 }
@@ -110,6 +86,7 @@ int run(int argc, char** argv) {
   Request request;
   Words words;
   std::vector<CLI::Option*> of_image;
+  const FieldFlags flags(app);
   add_options(app, request, words);
   add_image_options(app, request, words, of_image);
   try {
@@ -119,15 +96,13 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(std::string(error.what()) + " (see --help)");
   }
-  request.field.noise.kind = parse_kind(words.kind);
-  request.field.noise.ease = parse_ease(words.ease);
-  request.field.fractal = parse_fractal(words.fractal);
+  request.field = flags.options();
   request.precision = parse_precision(words.precision);
   parse_size(words.size, request.slice);
+  request.slice.z = parse_slice(words.slice);
   require(request.footprint >= 0, "--footprint: expected a width of at least 0", request.footprint);
   require(request.slice.extent > 0 && std::isfinite(request.slice.extent),
           "--extent: expected a number of cells above 0", request.slice.extent);
-  require(std::isfinite(request.slice.z), "--z: expected a finite number", request.slice.z);
   const NoiseField field(request.field);
 
   if (!request.image.empty()) {

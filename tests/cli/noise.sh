@@ -115,7 +115,7 @@ expect_says 'cannot write'
 # ---- Slices
 
 for file in slice.png slice.exr; do
-  run "$noise" --image "$file" --size 40x30 --slice 0.5 --extent 4 --fractal fbm
+  run "$noise" --image "$file" --size 40x30 --slice z=0.5 --extent 4 --fractal fbm
   expect_exit 0
   expect_quiet
   expect_file "$file"

@@ -83,8 +83,8 @@ expect_exit 0
 expect_file lazy.vtp
 
 noise=("$view" noise --out a.png)
-refuses 2 'improved, value or white' "${noise[@]}" --kind simplex
-refuses 2 'cubic or quintic' "${noise[@]}" --ease linear
+refuses 2 'perlin|improved|value|white, found simplex' "${noise[@]}" --kind simplex
+refuses 2 'cubic|quintic, found linear' "${noise[@]}" --ease linear
 refuses 2 turbulence "${noise[@]}" --fractal multi
 refuses 2 isosurfaces "${noise[@]}" --show everything
 refuses 2 'two numbers' "${noise[@]}" --point 3

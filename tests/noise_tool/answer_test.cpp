@@ -1,4 +1,4 @@
-#include "viz/noise/answer.h"
+#include "viz/noise_tool/answer.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 
 #include "sightline/math/random.h"
-#include "viz/noise/slice.h"
+#include "viz/noise_tool/slice.h"
 
 namespace sightline::noise_tool {
 namespace {

@@ -61,9 +61,9 @@ glm::dvec2 parse_point(const std::string& text) {
 }
 
 double parse_height(const std::string& text) {
-  const auto z = text.starts_with("z=") ? number(std::string_view(text).substr(2)) : std::nullopt;
-  if (!z || std::fabs(*z) > farthest) refuse("--slice", text, "z=POSITION from -1000000 to 1000000");
-  return *z;
+  const double z = noise_tool::parse_slice(text);
+  if (std::fabs(z) > farthest) refuse("--slice", text, "z=POSITION from -1000000 to 1000000");
+  return z;
 }
 
 std::optional<NoisePanel> parse_panel(const std::string& text) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "viz/noise/field_flags.h"
+#include "viz/noise_tool/field_flags.h"
 
 namespace sightline::viz {
 
@@ -19,7 +19,7 @@ class NoiseCommand {
 
  private:
   CLI::App* command_;
-  FieldFlags field_;
+  noise_tool::FieldFlags field_;
   std::string panel_, point_ = "1.6,1.35", size_ = "1600x1000", slice_ = "z=0.5";
   std::vector<std::string> outs_;
   double extent_ = 4;

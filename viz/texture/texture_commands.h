@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "viz/noise/field_flags.h"
+#include "viz/noise_tool/field_flags.h"
 
 namespace sightline::viz {
 
@@ -32,7 +32,7 @@ class NormalsCommand {
 
  private:
   CLI::App* command_;
-  FieldFlags field_;
+  noise_tool::FieldFlags field_;
   std::string size_ = "1600x1000", out_;
   double amplitude_ = 0.08;
   int divisions_ = 256;

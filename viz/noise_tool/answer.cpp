@@ -1,4 +1,4 @@
-#include "viz/noise/answer.h"
+#include "viz/noise_tool/answer.h"
 
 #include <array>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "viz/noise/slice.h"
+#include "viz/noise_tool/slice.h"
 
 #include <algorithm>
 #include <array>

@@ -26,19 +26,8 @@ struct Request {
 };
 
 /// \throws std::invalid_argument naming the flag, what was expected and what was found.
-NoiseKind parse_kind(const std::string& text);
-Ease parse_ease(const std::string& text);
-FractalKind parse_fractal(const std::string& text);
 Level parse_precision(const std::string& text);
 /// "640x480"
 void parse_size(const std::string& text, Slice& slice);
-
-/// "perlin|improved|value|white" and the like, of which `lines` has one with its description each.
-struct Choices {
-  std::string names, lines;
-};
-Choices kinds();
-Choices eases();
-Choices fractals();
 
 }  // namespace sightline::noise_tool

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "sightline/noise/noise_field.h"
-#include "viz/noise/request.h"
+#include "viz/noise_tool/request.h"
 
 namespace sightline::noise_tool {
 

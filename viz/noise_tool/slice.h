@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "sightline/io/image_file.h"
-#include "viz/noise/request.h"
+#include "viz/noise_tool/request.h"
 
 namespace sightline::noise_tool {
 
