@@ -110,7 +110,8 @@ refuses 2 '.png' "$view" wood --out a.vtp
 refuses 2 'at least 800x500' "$view" wood --size 640x480 --out a.png
 refuses 2 'has a gradient' "$view" normals --kind white --out a.png
 refuses 2 'not in range' "$view" normals --divisions 1 --out a.png
-refuses 2 'not in range' "$view" normals --amplitude nan --out a.png
+refuses 2 '0 to 0.5' "$view" normals --amplitude nan --out a.png
+refuses 2 '0.01 to 1000' "${noise[@]}" --extent nan
 refuses 1 /dev/null "$view" normals --out /dev/null/a.png
 
 csg=("$view" csg --solid lens)

@@ -101,9 +101,7 @@ NoiseCommand::NoiseCommand(CLI::App& program) : command_(program.add_subcommand(
                    "One panel instead of the sheet, by its name: slice, gradients, lattice, ease,\n"
                    "spectrum, coherence, isosurfaces or volume")
       ->option_text("PANEL");
-  command_->add_option("--extent", extent_, "Of what is shown along each side; default 4")
-      ->check(CLI::Range(0.01, 1000.0))
-      ->option_text("LENGTH");
+  command_->add_option("--extent", extent_, "Of what is shown along each side; default 4")->option_text("LENGTH");
   command_->add_option("--slice", slice_, "Where space is cut; default z=0.5")->option_text("z=POSITION");
   command_->add_option("--point", point_, "Whose cell is explained, in lattice cells; default 1.6,1.35")
       ->option_text("X,Y");
@@ -117,6 +115,7 @@ NoiseCommand::NoiseCommand(CLI::App& program) : command_(program.add_subcommand(
 
 int NoiseCommand::run() const {
   const PictureSize size = parse_picture_size(size_);
+  if (!(extent_ >= 0.01 && extent_ <= 1000)) refuse("--extent", std::to_string(extent_), "0.01 to 1000");
   NoiseLook look{NoiseField(field_.options())};
   look.extent = extent_;
   look.slice = parse_height(slice_);

@@ -121,8 +121,9 @@ int WoodCommand::run() const {
 
 NormalsCommand::NormalsCommand(CLI::App& program)
     : command_(program.add_subcommand("normals", about_normals)), field_(*command_) {
-  command_->add_option("--amplitude", amplitude_, "How far noise of 1 dents, in radii of the sphere; default 0.08")
-      ->check(CLI::Range(0.0, 0.5))
+  command_
+      ->add_option("--amplitude", amplitude_,
+                   "How far noise of 1 dents, in radii of the sphere, up to 0.5; default 0.08")
       ->option_text("LENGTH");
   command_->add_option("--divisions", divisions_, "Of the displaced mesh, 12 times the square of this; default 256")
       ->check(CLI::Range(2, 1024))
@@ -132,6 +133,7 @@ NormalsCommand::NormalsCommand(CLI::App& program)
 
 int NormalsCommand::run() const {
   const PictureSize size = parse_picture_size<NormalsPicture>(size_);
+  if (!(amplitude_ >= 0 && amplitude_ <= 0.5)) refuse("--amplitude", std::to_string(amplitude_), "0 to 0.5");
   FieldOptions options = field_.options();
   if (options.noise.kind == NoiseKind::white) refuse("--kind", "white", "noise that has a gradient");
   if (!command_->count("--frequency")) options.frequency = 5;
