@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sightline/csg/solid_tree.h"
+#include "sightline/scene/animation.h"
 #include "sightline/scene/scene_graph.h"
 #include "sightline/shape/mesh.h"
 #include "sightline/texture/color.h"
@@ -83,6 +84,7 @@ struct Scene {
   std::vector<TextureSource> textures;
   std::vector<Light> lights;
   std::vector<SceneCamera> cameras;
+  std::vector<Animation> animations;
 };
 
 }  // namespace sightline
