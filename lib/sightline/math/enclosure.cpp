@@ -180,6 +180,16 @@ double volume_of(const Cylinder& cylinder) {
   return r < 0 ? 0 : 2 * std::numbers::pi * r * r * cylinder.half_length;
 }
 
+Sphere closer_of(const Sphere& a, const Sphere& b) { return b.radius < a.radius ? b : a; }
+
+Cylinder closer_of(const Cylinder& a, const Cylinder& b) {
+  const auto half_area = [](const Cylinder& c) {
+    return double(c.radius) * (double(c.radius) + 2 * double(c.half_length));
+  };
+  if (is_nothing(a)) return a;
+  return !is_nothing(b) && half_area(a) <= half_area(b) ? a : b;
+}
+
 Enclosure enclosure_of(std::span<const Vec3f> points) {
   Enclosure made;
   if (points.empty()) return made;

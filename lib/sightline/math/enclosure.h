@@ -102,6 +102,10 @@ double volume_of(const Aabb& box);
 double volume_of(const Sphere& sphere);
 double volume_of(const Cylinder& cylinder);
 
+/// Of two that hold a thing, the one of less surface, which fewer rays meet.
+Sphere closer_of(const Sphere& a, const Sphere& b);
+Cylinder closer_of(const Cylinder& a, const Cylinder& b);
+
 // ---- Making
 
 /// Around points in whose convex hull the thing lies; finite ones.

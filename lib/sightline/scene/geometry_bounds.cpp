@@ -64,13 +64,6 @@ struct ShapeEnclosure {
 
 Enclosure everywhere() { return {everything<Aabb>(), everything<Sphere>(), everything<Cylinder>()}; }
 
-/// The closer one of two that hold a thing.
-template <class V>
-const V& smaller(const V& a, const V& b) {
-  if (is_unbounded(a)) return b;
-  return volume_of(b) < volume_of(a) ? b : a;
-}
-
 Enclosure of_primitive(const Solid& solid, const SolidNode& node) {
   const Primitive& primitive = solid.primitives()[node.primitive];
   const Frame* const frame = solid.frame_of(primitive);
@@ -95,8 +88,8 @@ Enclosure of_children(const Solid& solid, const SolidNode& node, const std::vect
       return {node.bounds, spheres[0], cylinders[0]};
     case Operation::intersect: {
       Enclosure least = everywhere();
-      for (const Sphere& s : spheres) least.sphere = smaller(least.sphere, s);
-      for (const Cylinder& c : cylinders) least.cylinder = smaller(least.cylinder, c);
+      for (const Sphere& s : spheres) least.sphere = closer_of(least.sphere, s);
+      for (const Cylinder& c : cylinders) least.cylinder = closer_of(least.cylinder, c);
       return {node.bounds, least.sphere, least.cylinder};
     }
     default:
@@ -113,8 +106,8 @@ Enclosure enclosure_of(const Solid& solid) {
       continue;
     }
     Enclosure made = node.is_primitive ? of_primitive(solid, node) : of_children(solid, node, known);
-    made.sphere = smaller(made.sphere, ball_around(node.bounds));
-    made.cylinder = smaller(made.cylinder, cylinder_around(node.bounds));
+    made.sphere = closer_of(made.sphere, ball_around(node.bounds));
+    made.cylinder = closer_of(made.cylinder, cylinder_around(node.bounds));
     if (is_nothing(node.bounds)) made = Enclosure();
     known.push_back(made);
   }
