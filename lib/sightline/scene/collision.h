@@ -15,7 +15,8 @@ struct Overlaps {
   std::size_t tests = 0;
 };
 
-/// All pairs of nodes with geometry whose own bounds of the kind overlap.
+/// All pairs of nodes whose geometries overlap, and those whose own bounds of the kind do although their geometries do
+/// not, but for what the bounds of nodes above them part.
 Overlaps find_overlaps(LiveScene& scene, BoundKind kind);
 
 }  // namespace sightline
