@@ -9,6 +9,7 @@
 #include "sightline/math/random.h"
 #include "sightline/math/transform.h"
 #include "sightline/query/instance_tracer.h"
+#include "sightline/query/moving_tracer.h"
 #include "sightline/query/workloads.h"
 #include "sightline/scene/procedural.h"
 #include "sightline/scene/teapot.h"
@@ -132,6 +133,12 @@ Hit<T> flattened(const InstanceHit<T>& hit, const std::vector<std::uint32_t>& fi
   return {hit.t, hit.is_hit() ? first[hit.instance] + hit.prim_id : no_primitive, hit.u, hit.v};
 }
 
+std::vector<std::shared_ptr<const Tracer>> tracers_of(const Instances& instances, std::string_view accelerator) {
+  std::vector<std::shared_ptr<const Tracer>> tracers;
+  for (const auto& mesh : instances.meshes()) tracers.push_back(make_tracer(accelerator, mesh));
+  return tracers;
+}
+
 class InstancesTest : public testing::TestWithParam<Kind> {};
 
 template <class T>
@@ -165,8 +172,7 @@ TEST_P(InstancesTest, HitsAreThoseOfTheFlattenedMesh) {
   const auto flat = make_tracer("brute-force", mesh);
   const auto rays = rays_of(*instances, *mesh, 100);
   for (const AcceleratorInfo& lower : accelerator_infos()) {
-    std::vector<std::shared_ptr<const Tracer>> tracers;
-    for (const auto& each : instances->meshes()) tracers.push_back(make_tracer(lower.name, each));
+    const auto tracers = tracers_of(*instances, lower.name);
     for (const AcceleratorInfo& upper : accelerator_infos()) {
       SCOPED_TRACE(std::string(upper.name) + " of " + std::string(lower.name));
       const auto two_levels = make_instance_tracer(upper.name, instances, tracers);
@@ -183,6 +189,92 @@ INSTANTIATE_TEST_SUITE_P(Placements, InstancesTest, testing::ValuesIn(kinds), []
   for (const char* c = kind.param.name; *c; ++c) name += *c == ' ' ? '_' : *c;
   return name;
 });
+
+/// Frames of instances that each turn about their places.
+std::shared_ptr<const Instances> frame(const std::vector<std::shared_ptr<const TriangleMesh>>& shared, int time) {
+  Random random(11);
+  std::vector<Placement> placements;
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    const Transform place = Transform::translation(vector_in(random, -8, 8)) * turn(random);
+    placements.push_back({(place * Transform::rotation({0, 1, 0}, 20 * time)).matrix(), i % 3});
+  }
+  return std::make_shared<const Instances>(shared, std::move(placements));
+}
+
+TEST(MovingTracer, FollowsWhatMovesWithTheSameHits) {
+  const auto shared = meshes();
+  const auto first = frame(shared, 0);
+  for (const AcceleratorInfo& upper : accelerator_infos()) {
+    const auto tracers = tracers_of(*first, "box-tree");
+    MovingTracer refitted(std::string(upper.name), tracers, {}, MovePolicy::refit);
+    MovingTracer rebuilt(std::string(upper.name), tracers, {}, MovePolicy::rebuild);
+    for (int time = 0; time < 5; ++time) {
+      SCOPED_TRACE(std::string(upper.name) + " at " + std::to_string(time));
+      const auto instances = frame(shared, time);
+      const InstanceTracer &a = refitted.move(instances), &b = rebuilt.move(instances);
+      const auto rays = random_rays(instances->bounds(), 500, 5);
+      std::vector<InstanceHit<float>> hits(rays.size()), expected(rays.size());
+      a.closest_hits(rays, hits);
+      b.closest_hits(rays, expected);
+      EXPECT_TRUE(hits == expected);
+    }
+    EXPECT_EQ(rebuilt.counts().built, 5);
+    const bool can_refit =
+        upper.name == "box-tree" || upper.name == "wide-tree" || upper.name == "bih" || upper.name == "brute-force";
+    EXPECT_EQ(refitted.counts().refitted, can_refit ? 4 : 0) << upper.name;
+    EXPECT_EQ(refitted.counts().built, can_refit ? 1 : 5) << upper.name;
+    // Others than before.
+    const auto placements = first->placements();
+    refitted.move(std::make_shared<const Instances>(shared, std::vector(placements.begin(), placements.begin() + 5)));
+    EXPECT_EQ(refitted.counts().built, can_refit ? 2 : 6) << upper.name;
+  }
+}
+
+TEST(RefitChoice, BuildsOnceTracingHasLostAsMuch) {
+  RefitChoice choice;
+  EXPECT_FALSE(choice.prefers_refitting());  // nothing is there yet
+  choice.built(10);
+  EXPECT_TRUE(choice.prefers_refitting());
+  choice.traced(5);
+  choice.refitted(1);
+  for (const double tracing : {6.0, 4.0, 9.0, 8.0}) {  // 1, 0 and 4 and 3 slower than the first: 8 in all
+    EXPECT_TRUE(choice.prefers_refitting());
+    choice.traced(tracing);
+  }
+  EXPECT_TRUE(choice.prefers_refitting());
+  choice.traced(6);
+  EXPECT_FALSE(choice.prefers_refitting());
+  choice.built(10);
+  EXPECT_TRUE(choice.prefers_refitting());
+}
+
+TEST(Instances, RefuseWhatCannotBeTraced) {
+  const auto shared = meshes();
+  const auto refusal = [&](std::vector<Placement> placements) -> std::string {
+    try {
+      Instances(shared, std::move(placements));
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "taken";
+  };
+  const auto scaled = [](const Vec3d& by) {
+    Affine map;
+    for (int i = 0; i < 3; ++i) map.rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(i)] = by[i];
+    return map;
+  };
+  const Placement fine(Affine(), 0);
+  EXPECT_EQ(refusal({fine, fine}), "taken");
+  EXPECT_EQ(refusal({fine, {scaled({1, 0, 1}), 0}}), "instance 1: expected a matrix that can be inverted in float");
+  EXPECT_EQ(refusal({{scaled({1, 1, 1e-60}), 0}}), "instance 0: expected a matrix that can be inverted in float");
+  EXPECT_EQ(refusal({{scaled({1e60, 1, 1}), 0}}), "instance 0: expected a matrix of numbers that are finite in float");
+  EXPECT_EQ(refusal({{scaled({3e38, 1, 1}), 0}}), "instance 0: expected vertices within the range of float");
+  EXPECT_EQ(refusal({fine, fine, {Affine(), 3}}), "instance 2: expected a mesh below 3");
+  EXPECT_THROW(Instances(shared, std::vector<Placement>(3, fine)).flattened(100), std::length_error);
+  EXPECT_THROW(make_instance_tracer("kd-tree", frame(shared, 0), {}), std::invalid_argument);
+  EXPECT_THROW(make_instance_tracer("kd", frame(shared, 0), tracers_of(*frame(shared, 0), "bih")),
+               std::invalid_argument);
+}
 
 }  // namespace
 }  // namespace sightline

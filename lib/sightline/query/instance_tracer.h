@@ -48,6 +48,10 @@ class InstanceTracer : public InstanceQueries<float>, public InstanceQueries<dou
   /// Of the upper structure: nodes and order.
   virtual std::size_t structure_bytes() const = 0;
   virtual void for_each_cell(const std::function<void(const Cell&)>& see) const = 0;
+
+  /// Follows instances that have moved, as many and of the same meshes, by fitting the upper structure to where they
+  /// stand. False, and nothing changes, where it cannot do that, or where these are others. Not while anybody asks.
+  virtual bool refit(std::shared_ptr<const Instances> moved) = 0;
 };
 
 /// `meshes` are tracers of the meshes of `instances`, in their order. Leaves of the upper structure hold one instance

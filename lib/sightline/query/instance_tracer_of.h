@@ -13,6 +13,12 @@
 
 namespace sightline::detail {
 
+inline std::vector<Aabb> boxes_of(const Instances& instances) {
+  std::vector<Aabb> boxes(instances.size());
+  tbb::parallel_for(std::uint32_t(0), instances.size(), [&](std::uint32_t i) { boxes[i] = instances.bounds(i); });
+  return boxes;
+}
+
 /// Instances that a ray has been through: structures that divide space hold one in several leaves. Forgetting is no
 /// fault, since being tested again changes nothing.
 class RecentInstances {
@@ -98,6 +104,17 @@ class InstanceTracerOf final : public InstanceQueriesOf<InstanceTracerOf<A>, dou
   std::size_t structure_bytes() const override { return accel_.memory_bytes(); }
   void for_each_cell(const std::function<void(const Cell&)>& see) const override { accel_.for_each_cell(see); }
 
+  bool refit(std::shared_ptr<const Instances> moved) override {
+    if constexpr (Refittable<A>) {
+      if (!accel_.can_refit() || !instances_->have_moved_to(*moved)) return false;
+      const std::vector<Aabb> boxes = boxes_of(*moved);
+      accel_ = A::refit(std::move(accel_), BoxPrimitives(boxes));
+      instances_ = std::move(moved);
+      return true;
+    }
+    return false;
+  }
+
   const A& accel() const { return accel_; }
   const Tracer& tracer_of(std::uint32_t instance) const { return *meshes_[instances_->placements()[instance].mesh()]; }
 
@@ -106,12 +123,6 @@ class InstanceTracerOf final : public InstanceQueriesOf<InstanceTracerOf<A>, dou
   std::vector<std::shared_ptr<const Tracer>> meshes_;
   A accel_;
 };
-
-inline std::vector<Aabb> boxes_of(const Instances& instances) {
-  std::vector<Aabb> boxes(instances.size());
-  tbb::parallel_for(std::uint32_t(0), instances.size(), [&](std::uint32_t i) { boxes[i] = instances.bounds(i); });
-  return boxes;
-}
 
 template <Accelerator A>
 std::unique_ptr<InstanceTracer> make_instance_tracer_of(std::shared_ptr<const Instances> instances,

@@ -101,6 +101,14 @@ Instances::Instances(std::vector<std::shared_ptr<const TriangleMesh>> meshes, st
   }
 }
 
+bool Instances::have_moved_to(const Instances& others) const {
+  if (size() != others.size()) return false;
+  for (std::uint32_t i = 0; i < size(); ++i) {
+    if (&mesh_of(i) != &others.mesh_of(i)) return false;
+  }
+  return true;
+}
+
 TriangleMesh Instances::flattened(std::uint64_t most) const {
   std::uint64_t vertices = 0;
   for (const Placement& placement : placements_) vertices += meshes_[placement.mesh()]->positions().size();

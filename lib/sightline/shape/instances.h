@@ -65,6 +65,9 @@ class Instances {
   std::span<const std::shared_ptr<const TriangleMesh>> meshes() const { return meshes_; }
   const TriangleMesh& mesh_of(std::uint32_t instance) const { return *meshes_[placements_[instance].mesh()]; }
 
+  /// Whether these and others are as many, and each of the same mesh: then they differ in their places alone.
+  bool have_moved_to(const Instances& others) const;
+
   /// Of all instances.
   std::uint64_t triangles() const { return triangles_; }
   /// Holds the instance.
