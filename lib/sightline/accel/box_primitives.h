@@ -31,7 +31,7 @@ template <class Structure>
 typename Structure::Options costly_primitives() {
   typename Structure::Options options;
   if constexpr (requires { options.max_leaf_size; }) options.max_leaf_size = 1;
-  if constexpr (requires { options.intersection_cost; }) options.intersection_cost = 4 * options.traversal_cost;
+  if constexpr (requires { options.intersection_cost; }) options.intersection_cost = 2 * options.traversal_cost;
   if constexpr (requires { options.density; }) options.density = 8;
   return options;
 }
