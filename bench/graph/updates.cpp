@@ -58,15 +58,15 @@ std::vector<GraphContender> update_contenders(const GraphPlan& plan) {
       live->set_local(leaf, random_place(*random, 0.5));
     };
     const auto add = [&](BoundKind kind, const std::string& name, const std::function<void()>& change) {
-      const std::string row = std::string(name_of(kind)) + ", " + name;
+      const std::string table = count_text(size) + " nodes, " + std::string(name_of(kind));
       live->refresh(kind);
       const std::uint64_t before = live->counters().bounds;
       change();
       live->refresh(kind);
       const auto touched = static_cast<double>(live->counters().bounds - before);
       all.push_back({"updates",
-                     count_text(size) + " nodes",
-                     row,
+                     table,
+                     name,
                      [live, kind, change] {
                        change();
                        live->refresh(kind);

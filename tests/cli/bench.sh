@@ -190,7 +190,7 @@ refuses 2 table "$bench" graph --json -
 refuses 1 /dev/null "$bench" graph --json /dev/null/out.json
 run "$bench" graph --quick --rounds 1 --json out.json
 expect_exit 0
-for word in 'cached, root moves' 'depth 256' 'in vain' cylinder teapots 'sphere, one leaf' '10,000 nodes'; do
+for word in 'cached, root moves' 'depth 256' 'in vain' cylinder teapots 'one leaf' '10,000 nodes, sphere'; do
   expect_prints "$word"
 done
 check 'times in the JSON file' grep -q '"speed_over_first"' "$work/out.json"
