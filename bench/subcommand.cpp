@@ -1,13 +1,33 @@
 #include "bench/subcommand.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 
 #include "bench/command_line.h"
 #include "bench/text_table.h"
+#include "sightline/io/output_file.h"
 
 namespace sightline::bench {
+
+std::string parse_or_help(CLI::App& app, int argc, const char* const* argv, std::string_view reading) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return app.help() + std::string(reading);
+  } catch (const CLI::ParseError& error) {
+    std::string text = error.what();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    throw UsageError(text);
+  }
+  return {};
+}
+
+void check_json(const std::string& path) {
+  if (path == "-") throw UsageError("--json takes a file; standard output has the table");
+  if (!path.empty()) OutputFile{path};
+}
 
 std::vector<Level> parse_levels(const std::vector<std::string>& names) {
   std::vector<Level> levels;
