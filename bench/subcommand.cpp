@@ -29,6 +29,17 @@ void check_json(const std::string& path) {
   if (!path.empty()) OutputFile{path};
 }
 
+std::string machine_text(const Machine& machine, const std::string& beside) {
+  std::string text = "Sightline " + machine.sightline_version + beside + ", on " + machine.processor + " (" +
+                     plural(machine.hardware_threads, "hardware thread") + ")\n" + machine.compiler + ' ' +
+                     machine.flags + '\n';
+  if (machine.has_assertions) text += "Assertions are on in this build: its times say little.\n";
+  if (machine.load >= 0.5 * machine.hardware_threads) {
+    text += "Other programs are running (load " + number_text(machine.load, 2) + "): expect wide intervals.\n";
+  }
+  return text;
+}
+
 std::vector<Level> parse_levels(const std::vector<std::string>& names) {
   std::vector<Level> levels;
   for (const std::string& name : names) {

@@ -2,6 +2,7 @@
 
 #include "bench/instances/run.h"
 #include "bench/json.h"
+#include "bench/subcommand.h"
 #include "bench/text_table.h"
 
 namespace sightline::bench {
@@ -16,15 +17,8 @@ std::string megabytes(std::size_t bytes) {
 }  // namespace
 
 std::string text_of(const InstanceReport& report) {
-  const Machine& machine = report.machine;
   const InstancePlan& plan = report.plan;
-  std::string text = "Sightline " + machine.sightline_version + " beside Embree " + machine.embree_version + ", on " +
-                     machine.processor + " (" + plural(machine.hardware_threads, "hardware thread") + ")\n" +
-                     machine.compiler + ' ' + machine.flags + '\n';
-  if (machine.has_assertions) text += "Assertions are on in this build: its times say little.\n";
-  if (machine.load >= 0.5 * machine.hardware_threads) {
-    text += "Other programs are running (load " + number_text(machine.load, 2) + "): expect wide intervals.\n";
-  }
+  std::string text = machine_text(report.machine, " beside Embree " + report.machine.embree_version);
   text += "\n" + count_text(plan.count) + " instances of " + plan.scene + ", " +
           plural(report.mesh_triangles, "triangle") + " each; its mesh and " + plan.lower.label + " take " +
           megabytes(report.mesh_bytes) + " MB, once\n";
