@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 
 #include "bench/command_line.h"
 #include "bench/graph/run.h"
@@ -40,15 +39,10 @@ int run_graph_command(int argc, const char* const* argv) {
   app.add_flag("--quick", is_quick, "Smaller, shorter and fewer rounds");
   app.add_option("--json", plan.json, "Writes everything that was measured into FILE")->type_name("FILE");
   app.add_flag("--self-check", plan.is_spoiled, "Takes hits for misses: the run has to refuse");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    print(app.help() + reading_text);
+  const std::string help = parse_or_help(app, argc, argv, reading_text);
+  if (!help.empty()) {
+    print(help);
     return 0;
-  } catch (const CLI::ParseError& error) {
-    std::string text = error.what();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    throw UsageError(text);
   }
   if (is_quick) {
     plan.depths = {1, 16, 256};
@@ -56,8 +50,7 @@ int run_graph_command(int argc, const char* const* argv) {
     plan.slot_seconds = 0.002;
     if (rounds->count() == 0) plan.rounds = 3;
   }
-  if (plan.json == "-") throw UsageError("--json takes a file; standard output has the table");
-  if (!plan.json.empty()) OutputFile{plan.json};  // refuses now what could not be written at the end
+  check_json(plan.json);
   Progress progress;
   const GraphReport report = run_graph(plan, progress);
   print(text_of(report));

@@ -2,6 +2,7 @@
 
 #include "bench/graph/run.h"
 #include "bench/json.h"
+#include "bench/subcommand.h"
 #include "bench/text_table.h"
 
 namespace sightline::bench {
@@ -27,14 +28,7 @@ std::string fact_text(const std::string& heading, double value) {
 }  // namespace
 
 std::string text_of(const GraphReport& report) {
-  const Machine& machine = report.machine;
-  std::string text = "Sightline " + machine.sightline_version + ": scene graphs, on " + machine.processor + " (" +
-                     plural(machine.hardware_threads, "hardware thread") + ")\n" + machine.compiler + ' ' +
-                     machine.flags + '\n';
-  if (machine.has_assertions) text += "Assertions are on in this build: its times say little.\n";
-  if (machine.load >= 0.5 * machine.hardware_threads) {
-    text += "Other programs are running (load " + number_text(machine.load, 2) + "): expect wide intervals.\n";
-  }
+  std::string text = machine_text(report.machine);
   text +=
       "\ntimes    as fast as the table's first line, paired by round\n"
       "volume   of the bounds over that of what they hold\n"
