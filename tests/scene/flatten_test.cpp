@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/scene/closed.h"
+
 namespace sightline {
 namespace {
 
@@ -37,16 +39,6 @@ std::string refusal(const Scene& scene) {
     return error.what();
   }
   return "placed";
-}
-
-/// The volume that triangles enclose: more than 0 where they face outward.
-double volume(const TriangleMesh& mesh) {
-  double six_times = 0;
-  for (std::uint32_t i = 0; i < mesh.size(); ++i) {
-    const Triangle t = mesh[i];
-    six_times += glm::dot(Vec3d(t.a), glm::cross(Vec3d(t.b), Vec3d(t.c)));
-  }
-  return six_times / 6;
 }
 
 TEST(Flatten, EmptyScene) {

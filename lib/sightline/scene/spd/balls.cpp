@@ -23,9 +23,9 @@ std::array<Vec3d, 9> child_directions() {
   return directions;
 }
 
-/// What turns +z to a child's direction in the world decides where its own children are, so that all have their poles
-/// alike. Of children that are straight below, real arithmetic has x = y = 0, and the way around is anyone's choice;
-/// others are 1/2 off at least. Rounding moves directions by less than 2^-45 at all depths that fit into memory.
+/// What turns +z to a child's direction by the shortest way decides where its own children are. Of those straight
+/// below, real arithmetic has x = y = 0, and any way is shortest: rounding must not choose. It moves directions by less
+/// than 2^-45 within five levels, where all others are 2^-16 off at least.
 Transform pole_turn(const Vec3d& direction) {
   const bool is_straight_below = direction.z < 0 && std::hypot(direction.x, direction.y) < 0x1p-40;
   return turn_to(is_straight_below ? Vec3d(0, 0, -1) : direction);
