@@ -48,6 +48,12 @@ TEST(Flatten, EmptyScene) {
   EXPECT_TRUE(placed.origins.empty());
 }
 
+TEST(Flatten, LeavesOutMeshesWithoutTriangles) {
+  Scene scene = scene_of(std::make_shared<const TriangleMesh>());
+  add(scene, root_node, "nothing", {});
+  EXPECT_EQ(instances_of(scene).instances.size(), 0u);
+}
+
 TEST(Flatten, NamesNodesDepthFirstWithTheNearestMaterial) {
   Scene scene = scene_of(make_tetrahedron());
   scene.geometries.push_back(scene.geometries[0]);  // the same mesh
