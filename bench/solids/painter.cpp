@@ -19,7 +19,8 @@ template <Level level, class Structure>
 class PainterOf final : public Painter {
  public:
   explicit PainterOf(SolidSet<level> solids)
-      : solids_(std::move(solids)), structure_(Structure::build(PrimitivesOf(solids_), costly_primitives<Structure>())) {}
+      : solids_(std::move(solids)),
+        structure_(Structure::build(PrimitivesOf(solids_), costly_primitives<Structure>())) {}
 
   void paint(const SolidScene& scene, Picture& picture, int row_step) const override {
     NoSolidProbe probe;
