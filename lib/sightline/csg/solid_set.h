@@ -114,6 +114,13 @@ class SolidLeaves {
     return {ray, solids_.extent()};
   }
 
+  /// Of all solids of a leaf.
+  Aabb bounds(LeafRange leaf) const {
+    Aabb bounds;
+    for (const std::uint32_t id : order_.subspan(leaf.first, leaf.count)) bounds.extend(solids_.bounds(id));
+    return bounds;
+  }
+
   /// Calls see(id, crossing) for the first crossing of each solid in the ray's range and not beyond `far`, until it
   /// returns false.
   template <class T, class See>
