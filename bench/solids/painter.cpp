@@ -48,6 +48,7 @@ struct Tile {
 
   /// Through pixels from (x, y) on, of each `row_step`-th row.
   void look(const Camera& camera, Picture& picture, int x, int y, int row_step) {
+    seen.count = lit.count = 0;
     const Vec3d column = camera.right / double(camera.width);
     const int right = std::min(x + tile_side, camera.width), below = std::min(y + tile_side * row_step, camera.height);
     for (int j = y; j < below; j += row_step) {
@@ -87,9 +88,9 @@ class PainterOf final : public Painter {
   void paint(const SolidScene& scene, Picture& picture, int row_step, Probe& probe, std::uint64_t& rays) const {
     const SolidLeaves<level, Probe> leaves(solids_, structure_.leaf_order(), probe);
     const Camera& camera = scene.camera;
+    Tile tile;
     for (int y = 0; y < camera.height; y += tile_side * row_step) {
       for (int x = 0; x < camera.width; x += tile_side) {
-        Tile tile;
         tile.look(camera, picture, x, y, row_step);
         paint(tile, scene.light, leaves);
         rays += tile.seen.count + tile.lit.count;

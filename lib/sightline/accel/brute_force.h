@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "sightline/accel/accelerator.h"
-#include "sightline/accel/ray_packet.h"
 
 namespace sightline {
 
@@ -38,13 +37,6 @@ class BruteForce {
     probe.leaf(0, all(), ray.t_min);
     visit(all());
   }
-  template <class T, LeafVisitor<T> Visit, class Probe>
-  void traverse(const RayPacket<T>& rays, Visit&& visit, Probe& probe) const {
-    if (order_.empty()) return;
-    probe.leaf(0, all(), rays.t_min);
-    visit(all());
-  }
-  const Aabb& bounds() const { return bounds_; }
 
   template <class See>
   void for_each_cell(See&& see) const {

@@ -10,8 +10,8 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
+#include <utility>
 
 #include "sightline/accel/ray_packet.h"
 #include "sightline/query/queries.h"
@@ -40,27 +40,31 @@ class PacketQuery {
   static constexpr bool takes_any_order = Query::takes_any_order;
 
   PacketQuery(const Leaves& leaves, const RayPacket<T>& packet, std::span<const Ray<T>> rays)
-      : leaves_(leaves), packet_(packet), rays_(rays), open_((1u << rays.size()) - 1) {
-    limits_.fill(-std::numeric_limits<T>::infinity());
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      queries_[i].emplace(leaves, rays[i]);
-      limits_[i] = rays[i].t_max;
-    }
-  }
+      : PacketQuery(leaves, packet, rays, std::make_index_sequence<RayPacket<T>::size>()) {}
 
   /// Returns the far limit: the last one of all rays.
   T operator()(LeafRange leaf) {
     for (std::uint32_t met = open_ & meeting(leaf); met != 0; met &= met - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(met));
-      limits_[i] = queries_[i]->visit(leaves_, leaf);
+      limits_[i] = queries_[i].visit(leaves_, leaf);
       if (!(limits_[i] > rays_[i].t_min)) open_ &= ~(1u << i);  // hits lie beyond t_min
     }
     return RayPacket<T>::greatest(limits_);
   }
 
-  const Query& operator[](std::size_t ray) const { return *queries_[ray]; }
+  const Query& operator[](std::size_t ray) const { return queries_[ray]; }
 
  private:
+  /// Places beyond the last ray are never open.
+  template <std::size_t... I>
+  PacketQuery(const Leaves& leaves, const RayPacket<T>& packet, std::span<const Ray<T>> rays, std::index_sequence<I...>)
+      : leaves_(leaves),
+        packet_(packet),
+        rays_(rays),
+        open_((1u << rays.size()) - 1),
+        limits_{{(I < rays.size() ? rays[I].t_max : -std::numeric_limits<T>::infinity())...}},
+        queries_{Query(leaves, rays[std::min(I, rays.size() - 1)])...} {}
+
   std::uint32_t meeting(LeafRange leaf) const {
     if constexpr (BoundedLeaves<Leaves>) {
       return packet_.meeting(leaves_.bounds(leaf), limits_);
@@ -74,7 +78,7 @@ class PacketQuery {
   std::span<const Ray<T>> rays_;
   std::uint32_t open_;  ///< A bit for each ray that may find something nearer.
   typename RayPacket<T>::Lanes limits_;
-  std::array<std::optional<Query>, RayPacket<T>::size> queries_;
+  std::array<Query, RayPacket<T>::size> queries_;
 };
 
 /// Calls finish(index of the ray, its query) for every ray, in order.
