@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "sightline/accel/box_primitives.h"
 #include "sightline/accel/registry.h"
 #include "sightline/query/packets.h"
 #include "sightline/query/primitives_of.h"
@@ -16,14 +17,6 @@ namespace {
 /// A ray to the light begins this far from where it left the surface, so that rounding does not make it meet that
 /// again. POV-Ray's own tolerance for shadows is a thousandth.
 constexpr double shadow_begin = 0x1p-10;
-
-/// Testing a solid takes longer than a node.
-template <class Structure>
-typename Structure::Options small_leaves() {
-  typename Structure::Options options;
-  if constexpr (requires { options.max_leaf_size; }) options.max_leaf_size = 1;
-  return options;
-}
 
 /// Pixels that are painted together: their rays are neighbours.
 constexpr int tile_side = 4;

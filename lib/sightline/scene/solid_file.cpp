@@ -124,7 +124,7 @@ SolidTree node_of(const JsonValue& json, const Surroundings& around) {
   const bool is_primitive = json.find("prim").has_value(), is_operation = json.find("op").has_value();
   if (is_primitive == is_operation) json.fail("a member \"op\" or \"prim\"", is_primitive ? "both" : "none");
   Surroundings here = around;
-  if (const auto frame = json.find("frame")) here.frame = combined(around.frame, frame_of(*frame));
+  if (const auto frame = json.find("frame")) here.frame = frame_of(*frame) * around.frame;
   if (const auto material = json.find("material")) here.material = material->text();
   return is_primitive ? primitive_of(json, here) : operation_of(json, here);
 }

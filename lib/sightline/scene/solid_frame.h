@@ -15,7 +15,4 @@ Vec3d vector_of(const JsonValue&);
 /// \throws FileError for a scale of 0 and an axis without length.
 Frame frame_of(const JsonValue&);
 
-/// First `outer`, from the world, then `inner`.
-Frame combined(const Frame& outer, const Frame& inner);
-
 }  // namespace sightline

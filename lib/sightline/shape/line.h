@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "sightline/math/affine.h"
 #include "sightline/math/ray.h"
 #include "sightline/math/triple.h"
 
@@ -14,14 +15,9 @@ struct Line {
   Triple<N> origin, direction;
 };
 
-/// Where a shape stands: rows of an affine map from the world to the shape's own coordinates. These doubles say where,
-/// exactly. A ray keeps its t.
-struct Frame {
-  std::array<std::array<double, 4>, 3> rows{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-
-  bool is_identity() const { return *this == Frame(); }
-  friend bool operator==(const Frame&, const Frame&) = default;
-};
+/// Where a shape stands: the map from the world to the shape's own coordinates. These doubles say where, exactly. A ray
+/// keeps its t.
+using Frame = Affine;
 
 /// A ray as a shape in a frame sees it. Refers to both; without a frame the shape stands in the world.
 class FramedRay {
