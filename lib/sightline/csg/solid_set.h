@@ -167,7 +167,7 @@ class SolidLeaves {
     const SolidRay<level>& ready = ray.ready();
     double t_min = ray.ray().t_min;
     Boundary boundary;
-    while (is_found(solids_[id], ready, t_min, far, boundary)) {
+    while (is_found(solids_[id], ready, t_min, last_rounded_to(far), boundary)) {
       // Rounded to the ray's precision it may not be behind t_min any more.
       if (static_cast<T>(boundary.t) > ray.ray().t_min) return see(id, crossing_of(boundary));
       t_min = boundary.t;
