@@ -62,7 +62,7 @@ class PainterOf final : public Painter {
  public:
   PainterOf(SolidSet<level> solids, bool in_packets)
       : solids_(std::move(solids)),
-        structure_(Structure::build(PrimitivesOf(solids_), small_leaves<Structure>())),
+        structure_(Structure::build(PrimitivesOf(solids_), costly_primitives<Structure>())),
         in_packets_(in_packets) {}
 
   void paint(const SolidScene& scene, Picture& picture, int row_step) const override {

@@ -26,11 +26,13 @@ class BoxPrimitives final : public Primitives {
   std::span<const Aabb> boxes_;
 };
 
-/// Options for things that take longer to test than a node: leaves of one, where the structure lets one say so.
+/// Options for things that take much longer to test than a node: small leaves and many cells.
 template <class Structure>
-typename Structure::Options small_leaves() {
+typename Structure::Options costly_primitives() {
   typename Structure::Options options;
   if constexpr (requires { options.max_leaf_size; }) options.max_leaf_size = 1;
+  if constexpr (requires { options.intersection_cost; }) options.intersection_cost = 2 * options.traversal_cost;
+  if constexpr (requires { options.density; }) options.density = 8;
   return options;
 }
 

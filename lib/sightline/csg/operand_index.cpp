@@ -14,7 +14,7 @@ template <class Structure>
 class IndexOf final : public OperandIndex {
  public:
   explicit IndexOf(std::span<const Aabb> boxes)
-      : structure_(Structure::build(BoxPrimitives(boxes), small_leaves<Structure>())) {}
+      : structure_(Structure::build(BoxPrimitives(boxes), costly_primitives<Structure>())) {}
 
   void find(const Ray<double>& ray, OperandList& found) const override {
     NoProbe probe;

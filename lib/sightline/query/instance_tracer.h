@@ -54,8 +54,8 @@ class InstanceTracer : public InstanceQueries<float>, public InstanceQueries<dou
   virtual bool refit(std::shared_ptr<const Instances> moved) = 0;
 };
 
-/// `meshes` are tracers of the meshes of `instances`, in their order. Leaves of the upper structure hold one instance
-/// where its options do not say otherwise; `settings.pack_leaves` is of no account.
+/// `meshes` are tracers of the meshes of `instances`, in their order. The upper structure takes instances to be costly
+/// (box_primitives.h) where its options do not say otherwise; `settings.pack_leaves` is of no account.
 /// \throws std::invalid_argument for an unknown accelerator, a bad option, and tracers that are not of these meshes.
 std::unique_ptr<InstanceTracer> make_instance_tracer(std::string_view accelerator,
                                                      std::shared_ptr<const Instances> instances,

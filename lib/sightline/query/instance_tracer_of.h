@@ -128,7 +128,7 @@ template <Accelerator A>
 std::unique_ptr<InstanceTracer> make_instance_tracer_of(std::shared_ptr<const Instances> instances,
                                                         std::vector<std::shared_ptr<const Tracer>> meshes,
                                                         const TracerSettings& settings) {
-  auto options = small_leaves<A>();
+  auto options = costly_primitives<A>();
   for (const auto& [name, value] : settings.options) set_option(A::name, options, name, value);
   tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
   return arena.execute([&] {
