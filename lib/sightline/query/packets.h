@@ -3,7 +3,8 @@
 ///
 /// Neighbours meet the same nodes. A structure is asked once for the leaves that any ray of a packet meets
 /// (ray_packet.h); each ray is then tested with those that it meets itself. The hits are those of single rays, bit for
-/// bit: what a ray is tested with besides it does not meet, or is beyond its hit.
+/// bit: what a ray is tested with besides it does not meet, or is beyond its hit. That takes intersectors that keep M1
+/// (padded_ray.h) for the precision of the rays; solids of level fast keep it for rays of float.
 
 #include <algorithm>
 #include <array>
