@@ -90,6 +90,9 @@ TEST(Animation, RefusesWhatMakesNoSense) {
   refuses("one channel", [](Channel&) {});
   refuses("as many times", [](Channel& c) { c.translation.times.pop_back(); });
   refuses("translation, key 1: expected a time later", [](Channel& c) { c.translation.times[1] = 0; });
+  refuses("translation, key 1: expected a time later", [](Channel& c) {
+    c.translation.times = {-1e308, 1e308, 1.7e308};
+  });
   refuses("finite time", [](Channel& c) { c.translation.times[2] = infinity; });
   refuses("finite numbers", [](Channel& c) { c.translation.values[2].y = NAN; });
   refuses("rotation, key 0", [](Channel& c) { c.rotation = {{0}, {glm::dquat(0, 0, 0, 0)}, Interpolation::step}; });
