@@ -67,7 +67,7 @@ TEST(Scenes, AreTheSameOnEveryMachine) {
 }
 
 TEST(Scenes, SizesCount) {
-  for (const char* name : {"soup", "sticks", "lattice", "flat", "copies"}) {
+  for (const char* name : {"soup", "sticks", "integers", "flat", "copies"}) {
     EXPECT_EQ(load_scene(std::string(name) + ":77", no_data)->size(), 77u);
   }
   EXPECT_EQ(load_scene("terrain:9", no_data)->size(), 2u * 81);
@@ -79,9 +79,9 @@ TEST(Scenes, SizesCount) {
 }
 
 TEST(Scenes, AreWhatTheirNamesSay) {
-  const auto flat = load_scene("flat", no_data), lattice = load_scene("lattice", no_data);
+  const auto flat = load_scene("flat", no_data), integers = load_scene("integers", no_data);
   for (const Vec3f& p : flat->positions()) EXPECT_EQ(p.z, 0);
-  for (const Vec3f& p : lattice->positions()) EXPECT_EQ(p, glm::floor(p));
+  for (const Vec3f& p : integers->positions()) EXPECT_EQ(p, glm::floor(p));
   const auto copies = load_scene("copies:5", no_data);
   for (const auto& triangle : copies->triangles()) EXPECT_EQ(triangle, copies->triangles()[0]);
   // The stadium is some hundred times as wide as the teapot in it, which has nearly all of the triangles.

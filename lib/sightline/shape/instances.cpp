@@ -62,18 +62,23 @@ Aabb Placement::bounds(const Aabb& local) const {
   return box;
 }
 
+std::string_view missing_of(const Placement& placement, const TriangleMesh& mesh) {
+  const Affine map = placement.to_world();
+  if (!is_finite(map)) return "a matrix of numbers that are finite in float";
+  if (sign_of_determinant(map) == 0) return "a matrix that can be inverted in float";
+  const Aabb box = placement.bounds(mesh.bounds());
+  if (!box.is_empty() && !(is_finite(box.lo) && is_finite(box.hi))) return "vertices within the range of float";
+  return {};
+}
+
 Instances::Instances(std::vector<std::shared_ptr<const TriangleMesh>> meshes, std::vector<Placement> placements)
     : meshes_(std::move(meshes)), placements_(std::move(placements)) {
   for (std::size_t i = 0; i < placements_.size(); ++i) {
     const Placement& placement = placements_[i];
     if (placement.mesh() >= meshes_.size()) refuse(i, "a mesh below " + std::to_string(meshes_.size()));
-    const Affine map = placement.to_world();
-    if (!is_finite(map)) refuse(i, "a matrix of numbers that are finite in float");
-    if (sign_of_determinant(map) == 0) refuse(i, "a matrix that can be inverted in float");
     const TriangleMesh& mesh = *meshes_[placement.mesh()];
-    const Aabb box = placement.bounds(mesh.bounds());
-    if (!box.is_empty() && !(is_finite(box.lo) && is_finite(box.hi))) refuse(i, "vertices within the range of float");
-    bounds_.extend(box);
+    if (const std::string_view missing = missing_of(placement, mesh); !missing.empty()) refuse(i, std::string(missing));
+    bounds_.extend(placement.bounds(mesh.bounds()));
     triangles_ += mesh.size();
   }
 }
