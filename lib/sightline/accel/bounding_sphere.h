@@ -1,10 +1,10 @@
 #pragma once
 
 #include "sightline/accel/bounding_volumes.h"
-#include "sightline/accel/smallest_ball.h"
 #include "sightline/math/aabb.h"
 #include "sightline/math/rounding.h"
 #include "sightline/math/simd.h"
+#include "sightline/math/smallest_ball.h"
 
 namespace sightline {
 

@@ -4,6 +4,28 @@
 #include <numbers>
 
 namespace sightline {
+namespace {
+
+/// Of unit length, as `forward` is, and at right angles to it. Where that is along y_up the horizon is free: then as
+/// close to an axis as may be.
+Vec3d to_the_right(const Vec3d& forward, const Vec3d& y_up) {
+  const double size = max_norm(y_up);
+  const auto across = [&](const Vec3d& v) { return v - glm::dot(v, forward) * forward; };
+  Vec3d side = glm::cross(forward, y_up);
+  if (max_norm(side) <= 0x1p-20 * size) {
+    // The product's rounding, up to 2^-51, is no longer small beside it, and leads away from right angles.
+    side = size > 0 ? across(across(glm::cross(forward, y_up / size))) : Vec3d(0);
+    if (!(max_norm(side) > 0x1p-50)) {
+      const Vec3d a = glm::abs(forward);
+      side = Vec3d(0);
+      side[a.x <= a.y && a.x <= a.z ? 0 : a.y <= a.z ? 1 : 2] = 1;
+      side = across(side);
+    }
+  }
+  return glm::normalize(side / max_norm(side));
+}
+
+}  // namespace
 
 Camera Camera::looking_at(const Vec3d& eye, const Vec3d& target, const Vec3d& y_up, double field_of_view, int width,
                           int height) {
@@ -12,9 +34,7 @@ Camera Camera::looking_at(const Vec3d& eye, const Vec3d& target, const Vec3d& y_
   camera.width = width;
   camera.height = height;
   camera.forward = glm::normalize(target - eye);
-  const Vec3d side = glm::cross(camera.forward, y_up);
-  // Looking along y_up leaves the horizon free: any direction at right angles will do.
-  camera.right = max_norm(side) > 0 ? glm::normalize(side) : Vec3d(1, 0, 0);
+  camera.right = to_the_right(camera.forward, y_up);
   const double half_height = std::tan(field_of_view * std::numbers::pi / 360);
   camera.up = glm::cross(camera.right, camera.forward) * half_height;
   camera.right *= half_height * width / height;

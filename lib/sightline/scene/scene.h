@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sightline/csg/solid_tree.h"
+#include "sightline/scene/animation.h"
 #include "sightline/scene/scene_graph.h"
 #include "sightline/shape/mesh.h"
 #include "sightline/texture/color.h"
@@ -84,7 +85,11 @@ struct Scene {
   std::vector<TextureSource> textures;
   std::vector<Light> lights;
   std::vector<SceneCamera> cameras;
+<<<<<<< HEAD
   std::vector<std::string> warnings;  ///< What files named and did not give, such as missing images; a line each.
+=======
+  std::vector<Animation> animations;
+>>>>>>> graph
 };
 
 }  // namespace sightline

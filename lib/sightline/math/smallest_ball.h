@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -24,26 +25,37 @@ class SmallestBall {
   template <class At>
   static Vec3d center(std::size_t count, const At& at, int support) {
     SmallestBall search(support);
-    Vec3d best = search.gather(count, at);
-    double best_radius2 = std::numeric_limits<double>::infinity();
-    while (true) {
-      search.ball_ = search.enclose(search.size_, 0);
-      double radius2 = 0;
-      std::size_t farthest = 0;
+    const Vec3d middle = search.gather(count, at);
+    return search.settle(middle, [&](const Vec3d& from) {
+      Farthest farthest{Vec3d(0), 0};
       for (std::size_t i = 0; i < count; ++i) {
-        const double distance2 = squared_length(at(i) - search.ball_.center);
-        if (distance2 <= radius2) continue;
-        radius2 = distance2;
-        farthest = i;
+        const double distance2 = squared_length(at(i) - from);
+        if (distance2 <= farthest.distance2) continue;  // keeps a NaN
+        farthest = {at(i), distance2};
       }
-      if (radius2 < best_radius2) {
-        best = search.ball_.center;
-        best_radius2 = radius2;
+      return farthest;
+    });
+  }
+
+  /// Of the smallest ball around balls, at least one; or of the smallest circle around circles in the plane z = 0,
+  /// which have a support of 3.
+  static Vec3d center_of_balls(std::span<const Vec3d> centers, std::span<const double> radii, int support) {
+    SmallestBall search(support);
+    const Vec3d middle = search.gather_balls(centers, radii);
+    return search.settle(middle, [&](const Vec3d& from) {
+      std::size_t which = 0;
+      double longest = -1;
+      for (std::size_t i = 0; i < centers.size(); ++i) {
+        const double reach = std::sqrt(squared_length(centers[i] - from)) + radii[i];
+        if (reach <= longest) continue;  // keeps a NaN
+        which = i;
+        longest = reach;
       }
-      // The smallest ball of those gathered is no larger than that of all.
-      if (!(radius2 > search.ball_.radius2 * tightness) || search.size_ == capacity) return best;
-      search.add(at(farthest));
-    }
+      const Vec3d way = centers[which] - from;
+      const double length = std::sqrt(squared_length(way));
+      const Vec3d outward = length > 0 ? way / length : Vec3d(1, 0, 0);
+      return Farthest{centers[which] + radii[which] * outward, longest * longest};
+    });
   }
 
  private:
@@ -58,7 +70,29 @@ class SmallestBall {
     bool holds(const Vec3d& p) const { return squared_length(p - center) <= radius2 * membership; }
   };
 
+  struct Farthest {
+    Vec3d point;
+    double distance2;
+  };
+
   explicit SmallestBall(int support) : support_(support) {}
+
+  /// Adds the farthest point from the ball of those gathered, until none lies outside.
+  template <class Find>
+  Vec3d settle(Vec3d best, const Find& farthest_from) {
+    double best_radius2 = std::numeric_limits<double>::infinity();
+    while (true) {
+      ball_ = enclose(size_, 0);
+      const Farthest farthest = farthest_from(ball_.center);
+      if (farthest.distance2 < best_radius2) {
+        best = ball_.center;
+        best_radius2 = farthest.distance2;
+      }
+      // The smallest ball of those gathered is no larger than that of all.
+      if (!(farthest.distance2 > ball_.radius2 * tightness) || size_ == capacity) return best;
+      add(farthest.point);
+    }
+  }
 
   static double squared_length(const Vec3d& v) { return glm::dot(v, v); }
 
@@ -88,6 +122,25 @@ class SmallestBall {
         add(highest[axis]);
       }
       middle[axis] = 0.5 * (lowest[axis][axis] + highest[axis][axis]);
+    }
+    return middle;
+  }
+
+  /// The extreme points along the axes, whose middle is returned.
+  Vec3d gather_balls(std::span<const Vec3d> centers, std::span<const double> radii) {
+    Vec3d middle(0);
+    for (int axis = 0; axis < support_ - 1; ++axis) {
+      Vec3d step(0);
+      step[axis] = 1;
+      Vec3d lowest = centers[0] - radii[0] * step, highest = centers[0] + radii[0] * step;
+      for (std::size_t i = 1; i < centers.size(); ++i) {
+        const Vec3d low = centers[i] - radii[i] * step, high = centers[i] + radii[i] * step;
+        if (low[axis] < lowest[axis]) lowest = low;
+        if (high[axis] > highest[axis]) highest = high;
+      }
+      add(lowest);
+      add(highest);
+      middle[axis] = 0.5 * (lowest[axis] + highest[axis]);
     }
     return middle;
   }
