@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -236,7 +237,25 @@ class GltfReader {
         animation.tracks.push_back(track_of(sampler, part, target));
         animation.tracks.back().node = number;
       }
+      add_rests(animation);
       if (!animation.tracks.empty()) model_.animations.push_back(std::move(animation));
+    }
+  }
+
+  /// Parts of moved nodes that do not move have one key: where the node rests.
+  void add_rests(ModelAnimation& animation) const {
+    std::map<std::uint32_t, std::array<bool, 3>> moved;
+    for (const ModelTrack& track : animation.tracks) moved[track.node][static_cast<std::size_t>(track.part)] = true;
+    constexpr std::array<const char*, 3> names{"translation", "rotation", "scale"};
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      const auto found = moved.find(numbers_[i]);
+      for (std::size_t part = 0; part < 3 && found != moved.end(); ++part) {
+        const auto rest = document_["nodes"][i].find(names[part]);
+        if (found->second[part] || !rest) continue;
+        ModelTrack track{found->first, static_cast<ModelTrack::Part>(part), true, {0}, {{0, 0, 0, 0}}};
+        for (std::size_t k = 0; k < rest->size() && k < 4; ++k) track.values[0][k] = (*rest)[k].real();
+        animation.tracks.push_back(std::move(track));
+      }
     }
   }
 

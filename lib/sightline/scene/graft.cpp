@@ -60,6 +60,10 @@ void graft(Scene& into, NodeId parent, const Scene& from, const ListOffsets& off
     camera.node = copies[camera.node];
     into.cameras.push_back(std::move(camera));
   }
+  for (Animation animation : from.animations) {
+    for (Channel& channel : animation.channels) channel.node = copies[channel.node];
+    into.animations.push_back(std::move(animation));
+  }
 }
 
 }  // namespace sightline

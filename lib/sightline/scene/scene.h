@@ -85,11 +85,8 @@ struct Scene {
   std::vector<TextureSource> textures;
   std::vector<Light> lights;
   std::vector<SceneCamera> cameras;
-<<<<<<< HEAD
-  std::vector<std::string> warnings;  ///< What files named and did not give, such as missing images; a line each.
-=======
   std::vector<Animation> animations;
->>>>>>> graph
+  std::vector<std::string> warnings;  ///< What files named and did not give, such as missing images; a line each.
 };
 
 }  // namespace sightline

@@ -1,5 +1,6 @@
 #include "sightline/scene/scene_import.h"
 
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -60,6 +61,36 @@ TextureSource texture_of(ModelImage&& from) {
   return texture;
 }
 
+template <class T, class Of>
+void set(Track<T>& track, const ModelTrack& from, Of&& of) {
+  track.times = from.times;
+  track.interpolation = from.is_step ? Interpolation::step : Interpolation::linear;
+  for (const auto& value : from.values) track.values.push_back(of(value));
+}
+
+/// Tracks of one node become one channel.
+Animation animation_of(const ModelAnimation& from, const std::vector<NodeId>& ids) {
+  Animation animation{from.name, {}, true};
+  std::map<NodeId, std::size_t> places;
+  for (const ModelTrack& track : from.tracks) {
+    const auto [place, is_new] = places.try_emplace(ids[track.node], animation.channels.size());
+    if (is_new) animation.channels.emplace_back().node = ids[track.node];
+    Channel& channel = animation.channels[place->second];
+    const auto vector = [](const std::array<double, 4>& v) { return Vec3d(v[0], v[1], v[2]); };
+    switch (track.part) {
+      case ModelTrack::Part::translation:
+        set(channel.translation, track, vector);
+        break;
+      case ModelTrack::Part::rotation:
+        set(channel.rotation, track, [](const auto& v) { return glm::dquat(v[3], v[0], v[1], v[2]); });
+        break;
+      case ModelTrack::Part::scale:
+        set(channel.scale, track, vector);
+    }
+  }
+  return animation;
+}
+
 }  // namespace
 
 Scene scene_of(const std::filesystem::path& path, Model model) {
@@ -107,6 +138,15 @@ Scene scene_of(const std::filesystem::path& path, Model model) {
     }
     if (node.camera != nothing) {
       scene.cameras.push_back({model.cameras[node.camera].name, id, model.cameras[node.camera].field_of_view});
+    }
+  }
+  for (const ModelAnimation& from : model.animations) {
+    Animation animation = animation_of(from, ids);
+    try {
+      check(animation, scene.graph);
+      scene.animations.push_back(std::move(animation));
+    } catch (const std::invalid_argument& error) {
+      scene.warnings.push_back(std::string(error.what()) + "; left out");
     }
   }
   return scene;

@@ -82,6 +82,9 @@ void SceneReader::read_document(const std::filesystem::path& path) {
     });
   }
   if (const auto list = json.find("objects")) read_objects(*list, scene_, root_node, true);
+  if (const auto list = json.find("animations")) {
+    for (std::size_t i = 0; i < list->size(); ++i) scene_.animations.push_back(animation_of((*list)[i]));
+  }
   chain.pop_back();
 }
 

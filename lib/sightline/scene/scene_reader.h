@@ -71,6 +71,10 @@ class SceneReader {
   MeshGeometry mesh_of(const JsonValue& spec);
   static MeshGeometry triangles_of_geometry(const JsonValue& json);
 
+  // scene_reader_animations.cpp
+  Animation animation_of(const JsonValue& json) const;
+  Channel channel_of(const JsonValue& json) const;
+
   // scene_reader_objects.cpp
   void read_objects(const JsonValue& list, Scene& into, NodeId parent, bool is_named);
   void read_object(const JsonValue& json, Scene& into, NodeId parent, bool is_named);

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "sightline/scene/scene_file.h"
 #include "sightline/scene/scene_import.h"
 #include "sightline/scene/scene_members.h"
 #include "sightline/scene/scene_reader.h"
 #include "sightline/scene/scene_transform.h"
+#include "sightline/scene/scenes.h"
 
 namespace sightline {
 
@@ -118,14 +118,17 @@ const Scene& SceneReader::group_of(const JsonValue& name) {
 }
 
 void SceneReader::place_scene(const JsonValue& spec, Scene& into, NodeId node) {
-  if (spec.text().find_first_of("./") == std::string::npos) spec.fail("a scene or a model in a file");
-  const std::filesystem::path path = file_of(spec);
-  std::shared_ptr<const Scene>& scene = loading_.scenes[path.string()];
+  const std::string& name = spec.text();
+  const bool is_file = name.find_first_of("./") != std::string::npos;
+  const std::filesystem::path path = is_file ? file_of(spec) : std::filesystem::path();
+  std::shared_ptr<const Scene>& scene = loading_.scenes[is_file ? path.string() : name];
   if (!scene) {
-    if (path.extension() == ".json") {
-      scene = std::make_shared<const Scene>(SceneReader(loading_).read(path));
-    } else {
-      scene = std::make_shared<const Scene>(import_scene(path));
+    try {
+      scene = std::make_shared<const Scene>(!is_file                      ? make_scene(name, loading_.data_dir)
+                                            : path.extension() == ".json" ? SceneReader(loading_).read(path)
+                                                                          : import_scene(path));
+    } catch (const std::invalid_argument& error) {
+      spec.fail("a scene, or a scene or model in a file", error.what());
     }
     scene_.warnings.insert(scene_.warnings.end(), scene->warnings.begin(), scene->warnings.end());
   }
