@@ -81,6 +81,9 @@ void SceneReader::repeat_object(const JsonValue& json, Scene& into, NodeId paren
 
   Scene once;
   fill_object(json, once, once.graph.add(root_node, text, local), false);
+  if (into.graph.size() + count.whole() * (once.graph.size() - 1) > most_nodes) {
+    count.fail("at most " + std::to_string(most_nodes) + " nodes in all");
+  }
   Transform moved = local;
   for (std::uint64_t i = 0; i < count.whole(); ++i) {
     if (!is_finite(moved.matrix()) || !is_finite(moved.inverse()) || determinant_sign(moved.matrix()) == 0) {
