@@ -2,10 +2,10 @@
 #include <limits>
 #include <stdexcept>
 
+#include "sightline/io/image_file.h"
 #include "sightline/scene/scene_members.h"
 #include "sightline/scene/scene_reader.h"
 #include "sightline/scene/scene_transform.h"
-#include "sightline/texture/image_texture.h"
 #include "sightline/texture/texture.h"
 
 namespace sightline {
@@ -40,7 +40,7 @@ TextureSource SceneReader::texture_of(const std::string& name, const JsonValue& 
     texture.source = source.text();
   } else {
     const std::filesystem::path path = file_of(source);
-    ImageTexture(path, {.content = texture.is_data ? ImageContent::data : ImageContent::color});  // says what is wrong
+    read_image(path);  // says what is wrong with it
     texture.source = path;
   }
   return texture;
