@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sightline/accel/box_primitives.h"
 #include "sightline/accel/registry.h"
 #include "sightline/query/primitives_of.h"
 #include "sightline/query/queries.h"
@@ -14,19 +15,12 @@ namespace {
 /// again. POV-Ray's own tolerance for shadows is a thousandth.
 constexpr double shadow_begin = 0x1p-10;
 
-/// Testing a solid takes longer than a node.
-template <class Structure>
-typename Structure::Options small_leaves() {
-  typename Structure::Options options;
-  if constexpr (requires { options.max_leaf_size; }) options.max_leaf_size = 1;
-  return options;
-}
-
 template <Level level, class Structure>
 class PainterOf final : public Painter {
  public:
   explicit PainterOf(SolidSet<level> solids)
-      : solids_(std::move(solids)), structure_(Structure::build(PrimitivesOf(solids_), small_leaves<Structure>())) {}
+      : solids_(std::move(solids)),
+        structure_(Structure::build(PrimitivesOf(solids_), costly_primitives<Structure>())) {}
 
   void paint(const SolidScene& scene, Picture& picture, int row_step) const override {
     NoSolidProbe probe;

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/scene/closed.h"
+
 namespace sightline {
 namespace {
 
@@ -39,21 +41,17 @@ std::string refusal(const Scene& scene) {
   return "placed";
 }
 
-/// The volume that triangles enclose: more than 0 where they face outward.
-double volume(const TriangleMesh& mesh) {
-  double six_times = 0;
-  for (std::uint32_t i = 0; i < mesh.size(); ++i) {
-    const Triangle t = mesh[i];
-    six_times += glm::dot(Vec3d(t.a), glm::cross(Vec3d(t.b), Vec3d(t.c)));
-  }
-  return six_times / 6;
-}
-
 TEST(Flatten, EmptyScene) {
   const SceneInstances placed = instances_of(Scene());
   EXPECT_EQ(placed.instances.size(), 0u);
   EXPECT_EQ(placed.instances.flattened().size(), 0u);
   EXPECT_TRUE(placed.origins.empty());
+}
+
+TEST(Flatten, LeavesOutMeshesWithoutTriangles) {
+  Scene scene = scene_of(std::make_shared<const TriangleMesh>());
+  add(scene, root_node, "nothing", {});
+  EXPECT_EQ(instances_of(scene).instances.size(), 0u);
 }
 
 TEST(Flatten, NamesNodesDepthFirstWithTheNearestMaterial) {

@@ -90,4 +90,20 @@ void for_each_leaf(const A& accel, See&& see) {
   }
 }
 
+/// Structures that can follow primitives which move: refit(tree, primitives) bounds them anew where `build` has put
+/// them. Hits are those of any other structure; rays take the longer the more has moved. As many primitives as the tree
+/// was built of. can_refit() is false of a tree that is not all there yet.
+template <class A>
+concept Refittable = Accelerator<A> && requires(A& tree, const A& built, const Primitives& primitives) {
+  { A::refit(std::move(tree), primitives) } -> std::same_as<A>;
+  { built.can_refit() } -> std::same_as<bool>;
+};
+
+/// Around the primitives at these places of the leaf order.
+inline Aabb bounds_of(const Primitives& primitives, std::span<const std::uint32_t> order, LeafRange leaf) {
+  Aabb box;
+  for (const std::uint32_t id : order.subspan(leaf.first, leaf.count)) box.extend(primitives.bounds(id));
+  return box;
+}
+
 }  // namespace sightline

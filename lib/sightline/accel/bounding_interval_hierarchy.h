@@ -56,6 +56,10 @@ class BoundingIntervalHierarchy {
   /// \throws std::invalid_argument for options out of their limits, std::length_error beyond 2^28 primitives.
   static BoundingIntervalHierarchy build(const Primitives& primitives, const Options& options = {});
 
+  /// See accelerator.h.
+  static BoundingIntervalHierarchy refit(BoundingIntervalHierarchy tree, const Primitives& primitives);
+  bool can_refit() const { return !lazy_; }
+
   /// Of a lazy tree: the nodes made so far, and what it keeps to make the others.
   std::size_t memory_bytes() const;
   std::span<const std::uint32_t> leaf_order() const { return order_; }
@@ -122,6 +126,32 @@ inline void BoundingIntervalHierarchy::copy(const Node* from, std::size_t source
   own_nodes_[target].link = Node::link_of(Node::inner, pair);
   own_nodes_.resize(own_nodes_.size() + 2);
   for (const int side : {0, 1}) copy(from, 2 * std::size_t(Node::number_of(link)) + side, 2 * pair + side);
+}
+
+/// Children stand behind their parents, so the last nodes come first.
+inline BoundingIntervalHierarchy BoundingIntervalHierarchy::refit(BoundingIntervalHierarchy tree,
+                                                                  const Primitives& primitives) {
+  std::vector<Aabb> boxes(tree.own_nodes_.size());
+  for (std::size_t i = tree.own_nodes_.size(); i-- > 0;) {
+    if (i == 1) continue;  // the root has no sibling
+    Node& node = tree.own_nodes_[i];
+    const bool is_leaf = Node::state_of(node.link) == Node::leaf;
+    const std::size_t below = is_leaf ? i : 2 * std::size_t(Node::number_of(node.link)),
+                      above = is_leaf ? i : below + 1;
+    if (is_leaf) {
+      boxes[i] = bounds_of(primitives, tree.order_, node.leaf_range(node.link));
+    } else {
+      boxes[i] = boxes[below];
+      boxes[i].extend(boxes[above]);
+    }
+    const auto slab = static_cast<int>(node.slab_axis()), clip = static_cast<int>(node.clip_axis());
+    node.slab[0] = boxes[i].lo[slab];
+    node.slab[1] = boxes[i].hi[slab];
+    node.clip[0] = boxes[below].hi[clip];  // H1
+    node.clip[1] = boxes[above].lo[clip];
+  }
+  if (!boxes.empty()) tree.bounds_ = boxes[0];
+  return tree;
 }
 
 inline std::size_t BoundingIntervalHierarchy::memory_bytes() const {
@@ -252,6 +282,6 @@ void BoundingIntervalHierarchy::show(See& see, std::uint32_t number, const Aabb&
   show(see, 2 * Node::number_of(link) + 1, above, depth + 1);
 }
 
-static_assert(Accelerator<BoundingIntervalHierarchy>);
+static_assert(Refittable<BoundingIntervalHierarchy>);
 
 }  // namespace sightline

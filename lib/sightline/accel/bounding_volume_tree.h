@@ -86,6 +86,11 @@ class BoundingVolumeHierarchy {
     return tree;
   }
 
+  /// See accelerator.h. Of boxes: other volumes are not made of those below them.
+  static BoundingVolumeHierarchy refit(BoundingVolumeHierarchy tree,
+                                       const Primitives& primitives) requires(!Volume::needs_points);
+  bool can_refit() const { return true; }
+
   std::size_t memory_bytes() const { return nodes_.size() * sizeof(Node) + order_.size() * sizeof(std::uint32_t); }
   std::span<const std::uint32_t> leaf_order() const { return order_; }
   bool is_order_final() const { return true; }
@@ -351,12 +356,30 @@ class BoundingVolumeHierarchy<Volume>::Builder {
   std::span<std::uint32_t> order_;
 };
 
+template <BoundingVolume Volume>
+BoundingVolumeHierarchy<Volume> BoundingVolumeHierarchy<Volume>::refit(
+    BoundingVolumeHierarchy tree, const Primitives& primitives) requires(!Volume::needs_points) {
+  for (std::size_t i = tree.nodes_.size(); i-- > 0;) {  // children first: V2
+    Node& node = tree.nodes_[i];
+    Aabb box;
+    if (node.is_leaf()) {
+      box = bounds_of(primitives, tree.order_, node.range());
+    } else {
+      box = tree.nodes_[i + 1].volume.region();
+      box.extend(tree.nodes_[i + node.link].volume.region());
+    }
+    node.volume = Volume::around(box, {});
+    if (i == 0) tree.bounds_ = box;
+  }
+  return tree;
+}
+
 using BoxTree = BoundingVolumeHierarchy<BoundingBox>;
 using SphereTree = BoundingVolumeHierarchy<BoundingSphere>;
 using CylinderTree = BoundingVolumeHierarchy<BoundingCylinder>;
 
 static_assert(BoxTree::node_bytes == 32 && SphereTree::node_bytes == 24 && CylinderTree::node_bytes == 40);
-static_assert(Accelerator<BoxTree>);
+static_assert(Refittable<BoxTree>);
 static_assert(Accelerator<SphereTree>);
 static_assert(Accelerator<CylinderTree>);
 

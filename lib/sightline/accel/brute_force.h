@@ -1,6 +1,7 @@
 #pragma once
 
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "sightline/accel/accelerator.h"
@@ -23,9 +24,14 @@ class BruteForce {
     BruteForce all;
     all.order_.resize(primitives.size());
     std::iota(all.order_.begin(), all.order_.end(), 0u);
-    for (const std::uint32_t id : all.order_) all.bounds_.extend(primitives.bounds(id));
+    return refit(std::move(all), primitives);
+  }
+
+  static BruteForce refit(BruteForce all, const Primitives& primitives) {
+    all.bounds_ = bounds_of(primitives, all.order_, all.all());
     return all;
   }
+  bool can_refit() const { return true; }
 
   std::size_t memory_bytes() const { return order_.size() * sizeof(std::uint32_t); }
   std::span<const std::uint32_t> leaf_order() const { return order_; }
@@ -50,6 +56,6 @@ class BruteForce {
   Aabb bounds_;
 };
 
-static_assert(Accelerator<BruteForce>);
+static_assert(Refittable<BruteForce>);
 
 }  // namespace sightline

@@ -63,6 +63,10 @@ class WideTree {
   /// can number (2^28).
   static WideTree build(const Primitives& primitives, const Options& options = {});
 
+  /// See accelerator.h. The order in which rays take the children of a node stays as it was.
+  static WideTree refit(WideTree tree, const Primitives& primitives);
+  bool can_refit() const { return true; }
+
   std::size_t memory_bytes() const {
     return nodes_.size() * sizeof(Node) + compressed_.size() * sizeof(CompressedWideNode) +
            order_.size() * sizeof(std::uint32_t);
@@ -109,6 +113,22 @@ class WideTree {
     }
   }
 
+  /// Bounds each child anew, those of later nodes first: no node stands before its parent.
+  template <class N>
+  void refit(LargeBuffer<N>& nodes, const Primitives& primitives) {
+    for (std::size_t i = nodes.size(); i-- > 0;) {
+      std::array<Aabb, N::width> boxes;
+      for (int child = 0; child < N::width; ++child) {
+        const std::uint32_t link = nodes[i].links[child];
+        if (link == Link::none) continue;
+        boxes[child] =
+            Link::is_leaf(link) ? bounds_of(primitives, order_, Link::leaf(link)) : nodes[Link::node(link)].bounds();
+      }
+      nodes[i].set_boxes(boxes);
+    }
+    if (nodes.size() > 0) bounds_ = nodes[0].bounds();
+  }
+
   void compress() {
     compressed_ = LargeBuffer<CompressedWideNode>(nodes_.size());
     tbb::parallel_for(std::size_t{0}, nodes_.size(),
@@ -142,6 +162,12 @@ inline WideTree WideTree::build(const Primitives& primitives, const Options& opt
   return tree;
 }
 
-static_assert(Accelerator<WideTree>);
+inline WideTree WideTree::refit(WideTree tree, const Primitives& primitives) {
+  tree.refit(tree.nodes_, primitives);
+  tree.refit(tree.compressed_, primitives);
+  return tree;
+}
+
+static_assert(Refittable<WideTree>);
 
 }  // namespace sightline

@@ -42,6 +42,17 @@ struct alignas(64) CompressedWideNode {
     return made;
   }
 
+  void set_boxes(const std::array<Aabb, width>& boxes) {
+    WideNode node;
+    node.set_boxes(boxes);
+    for (int axis = 0; axis < 3; ++axis) compress(node, axis);
+  }
+  Aabb bounds() const {
+    Aabb all;
+    for (int child = 0; child < width; ++child) all.extend(box(child));
+    return all;
+  }
+
   static constexpr std::uint32_t row_at(int axis, bool is_high) { return WideNode::row_at(axis, is_high); }
   template <class D>
   [[gnu::always_inline]] hn::Vec<D> row(D d, int axis, std::uint32_t at) const {

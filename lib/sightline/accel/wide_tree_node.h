@@ -57,8 +57,19 @@ struct alignas(64) WideNode {
   Aabb box(int child) const {
     return {{plane(0, child), plane(1, child), plane(2, child)}, {plane(3, child), plane(4, child), plane(5, child)}};
   }
+  Aabb bounds() const {
+    Aabb all;
+    for (int child = 0; child < width; ++child) all.extend(box(child));
+    return all;
+  }
   void set(int child, const Aabb& box, std::uint32_t link) {
     links[child] = link;
+    set_box(child, box);
+  }
+  void set_boxes(const std::array<Aabb, width>& boxes) {
+    for (int child = 0; child < width; ++child) set_box(child, boxes[static_cast<std::size_t>(child)]);
+  }
+  void set_box(int child, const Aabb& box) {
     for (int axis = 0; axis < 3; ++axis) {
       planes[static_cast<std::size_t>(axis * width + child)] = box.lo[axis];
       planes[static_cast<std::size_t>((axis + 3) * width + child)] = box.hi[axis];

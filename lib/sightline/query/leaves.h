@@ -13,8 +13,8 @@
 
 #include "sightline/accel/accelerator.h"
 #include "sightline/accel/large_pages.h"
-#include "sightline/math/rounding.h"
 #include "sightline/math/level.h"
+#include "sightline/math/rounding.h"
 #include "sightline/shape/mesh.h"
 #include "sightline/shape/shapes.h"
 #include "sightline/shape/triangle_sieve.h"
@@ -113,78 +113,87 @@ inline float above(double t) { return round_up(t); }
 
 }  // namespace detail
 
+/// A ray as triangles are tested with. Each test is made ready when the first triangles need it: many rays meet none.
+/// Refers to the ray, and to bounds of all triangles.
+template <class T>
+class PreparedTriangles {
+ public:
+  PreparedTriangles(const Ray<T>& ray, const Aabb& bounds) : ray_(ray), bounds_(bounds) {}
+
+  [[gnu::always_inline]] const TriangleSieve& sieve() {
+    if (!sieve_) sieve_.emplace(ray_, bounds_);
+    return *sieve_;
+  }
+  const TriangleRay& exact() {
+    if (!exact_) exact_.emplace(to_double(ray_), bounds_);
+    return *exact_;
+  }
+  /// Not above the ray's.
+  float t_min() const { return detail::below(ray_.t_min); }
+
+ private:
+  const Ray<T>& ray_;
+  const Aabb& bounds_;
+  std::optional<TriangleSieve> sieve_;
+  std::optional<TriangleRay> exact_;
+};
+
+namespace detail {
+
+/// Tests lanes exactly. False when `see` returned that.
+template <class T, class See>
+[[gnu::noinline]] bool decide(PreparedTriangles<T>& ray, const TriangleBlock& block, std::uint32_t lanes, See& see) {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+    Crossing crossing;
+    if (ray.exact().intersect(block[lane], crossing) && !see(block.id(lane), crossing)) return false;
+  }
+  return true;
+}
+
+/// Calls see(id, crossing) for crossings of the block's triangles until it returns false, and returns that. Those
+/// beyond `far`, or before the ray's range, may be left out.
+template <Level level, class T, class See>
+[[gnu::always_inline]] inline bool cross_block(PreparedTriangles<T>& ray, const TriangleBlock& block, T far, See& see) {
+  static_assert(level != Level::fast || std::is_same_v<T, float>, "fast is a level of float rays");
+  std::uint32_t unsure;
+  if constexpr (level == Level::watertight) {
+    unsure = ray.sieve().may_cross(block, ray.t_min(), above(far));
+  } else {
+    TriangleSieve::Crossings found;
+    ray.sieve().cross(block, ray.t_min(), far, found);
+    for (std::uint32_t lanes = found.hits; lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+      if (!see(block.id(lane), Crossing{found.t[lane], found.u[lane], found.v[lane]})) return false;
+    }
+    unsure = found.unsure;
+  }
+  return unsure == 0 || decide(ray, block, unsure, see);
+}
+
+}  // namespace detail
+
 /// Triangle blocks as queries of one precision level test them. Refers to its parts.
 template <Level level>
 class PackedLeaves {
  public:
   PackedLeaves(const TriangleMesh& mesh, const TriangleBlocks& blocks) : bounds_(mesh.bounds()), blocks_(blocks) {}
 
-  /// Each test is made ready when the first triangles need it: many rays meet none.
   template <class T>
-  class PreparedRay {
-   public:
-    PreparedRay(const Ray<T>& ray, const Aabb& bounds) : ray_(ray), bounds_(bounds) {}
-
-    [[gnu::always_inline]] const TriangleSieve& sieve() {
-      if (!sieve_) sieve_.emplace(ray_, bounds_);
-      return *sieve_;
-    }
-    const TriangleRay& exact() {
-      if (!exact_) exact_.emplace(to_double(ray_), bounds_);
-      return *exact_;
-    }
-    /// Not above the ray's.
-    float t_min() const { return detail::below(ray_.t_min); }
-
-   private:
-    const Ray<T>& ray_;
-    const Aabb& bounds_;
-    std::optional<TriangleSieve> sieve_;
-    std::optional<TriangleRay> exact_;
-  };
-
-  template <class T>
-  PreparedRay<T> prepare(const Ray<T>& ray) const {
+  PreparedTriangles<T> prepare(const Ray<T>& ray) const {
     return {ray, bounds_};
   }
 
   void fetch(LeafRange leaf) const { blocks_.fetch(leaf); }
 
   template <class T, class See>
-  [[gnu::always_inline]] void for_each_crossing(PreparedRay<T>& ray, LeafRange leaf, T far, See&& see) const {
-    static_assert(level != Level::fast || std::is_same_v<T, float>, "fast is a level of float rays");
+  [[gnu::always_inline]] void for_each_crossing(PreparedTriangles<T>& ray, LeafRange leaf, T far, See&& see) const {
     while (leaf.count > 0) {
-      const TriangleBlock block = blocks_[TriangleBlocks::next_block(leaf)];
-      std::uint32_t unsure;
-      if constexpr (level == Level::watertight) {
-        unsure = ray.sieve().may_cross(block, ray.t_min(), detail::above(far));
-      } else {
-        TriangleSieve::Crossings found;
-        ray.sieve().cross(block, ray.t_min(), far, found);
-        for (std::uint32_t lanes = found.hits; lanes != 0; lanes &= lanes - 1) {
-          const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-          if (!see(block.id(lane), Crossing{found.t[lane], found.u[lane], found.v[lane]})) return;
-        }
-        unsure = found.unsure;
-      }
-      if (unsure != 0) [[unlikely]] {
-        if (!decide(ray, block, unsure, see)) return;
-      }
+      if (!detail::cross_block<level>(ray, blocks_[TriangleBlocks::next_block(leaf)], far, see)) return;
     }
   }
 
  private:
-  /// Tests lanes exactly. False when `see` returned that.
-  template <class T, class See>
-  [[gnu::noinline]] static bool decide(PreparedRay<T>& ray, const TriangleBlock& block, std::uint32_t lanes, See& see) {
-    for (; lanes != 0; lanes &= lanes - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-      Crossing crossing;
-      if (ray.exact().intersect(block[lane], crossing) && !see(block.id(lane), crossing)) return false;
-    }
-    return true;
-  }
-
   Aabb bounds_;
   const TriangleBlocks& blocks_;
 };

@@ -3,21 +3,11 @@
 #include <stdexcept>
 
 #include "sightline/accel/registry.h"
-#include "sightline/query/tracer_of.h"
+#include "sightline/query/stream.h"
+#include "sightline/query/tracer_slices.h"
 
 namespace sightline {
 namespace {
-
-template <int Slice = 0>
-std::unique_ptr<Tracer> make_in_slices(std::string_view accelerator, const std::shared_ptr<const TriangleMesh>& mesh,
-                                       const TracerSettings& settings) {
-  if constexpr (Slice < detail::slice_count) {
-    if (auto tracer = detail::make_tracer_in_slice<Slice>(accelerator, mesh, settings)) return tracer;
-    return make_in_slices<Slice + 1>(accelerator, mesh, settings);
-  } else {
-    return nullptr;
-  }
-}
 
 template <class A>
 AcceleratorInfo info_of() {
@@ -42,12 +32,16 @@ AcceleratorInfo info_of() {
 
 }  // namespace
 
-std::unique_ptr<Tracer> make_tracer(std::string_view accelerator, std::shared_ptr<const TriangleMesh> mesh,
-                                    const TracerSettings& settings) {
-  if (auto tracer = make_in_slices(accelerator, mesh, settings)) return tracer;
+void detail::refuse_accelerator(std::string_view accelerator) {
   std::string known;
   for (const AcceleratorInfo& info : accelerator_infos()) known += (known.empty() ? "" : ", ") + std::string(info.name);
   throw std::invalid_argument("unknown accelerator '" + std::string(accelerator) + "'; expected one of " + known);
+}
+
+std::unique_ptr<Tracer> make_tracer(std::string_view accelerator, std::shared_ptr<const TriangleMesh> mesh,
+                                    const TracerSettings& settings) {
+  return detail::in_slices(
+      accelerator, [&]<int Slice>() { return detail::make_tracer_in_slice<Slice>(accelerator, mesh, settings); });
 }
 
 std::span<const AcceleratorInfo> accelerator_infos() {

@@ -18,6 +18,9 @@
 
 namespace sightline {
 
+template <class T>
+class PlacedQuery;
+
 /// Queries in one precision. All are const, thread-safe, and give the same result in whatever order they are asked.
 /// `level` tells float queries how accurate to be; double ones are never less than watertight, nor are those of a lazy
 /// structure.
@@ -51,6 +54,10 @@ class Queries {
 
   /// The nearest hit, with every step of the walk written down.
   virtual Hit<T> record(const Ray<T>& ray, WalkRecorder& walk) const = 0;
+
+  /// Takes a query of instances (placed_query.h) through the mesh where that instance stands.
+  virtual void visit(PlacedQuery<T>& query, std::uint32_t instance, Level level) const = 0;
+  virtual void visit(PlacedQuery<T>& query, std::uint32_t instance, Level level, TraversalStats& stats) const = 0;
 };
 
 class Tracer : public Queries<float>, public Queries<double> {
@@ -61,6 +68,7 @@ class Tracer : public Queries<float>, public Queries<double> {
   using Queries<float>::stream_any_hits, Queries<double>::stream_any_hits;
   using Queries<float>::all_hits, Queries<double>::all_hits;
   using Queries<float>::record, Queries<double>::record;
+  using Queries<float>::visit, Queries<double>::visit;
 
   virtual std::string_view name() const = 0;
   virtual const TriangleMesh& mesh() const = 0;

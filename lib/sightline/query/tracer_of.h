@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "sightline/query/placed_query.h"
 #include "sightline/query/primitives_of.h"
 #include "sightline/query/queries.h"
 #include "sightline/query/stream.h"
@@ -62,6 +63,13 @@ class QueriesOf : public Base {
   Hit<T> record(const Ray<T>& ray, WalkRecorder& walk) const override {
     return closest_hit(self().accel(), self().indexed_leaves(), ray, walk);
   }
+  void visit(PlacedQuery<T>& query, std::uint32_t instance, Level level) const override {
+    NoProbe probe;
+    self().visit_placed(query, instance, level, probe);
+  }
+  void visit(PlacedQuery<T>& query, std::uint32_t instance, Level level, TraversalStats& stats) const override {
+    self().visit_placed(query, instance, level, stats);
+  }
 
  private:
   template <class Accel, class Leaves>
@@ -115,6 +123,15 @@ class TracerOf final : public QueriesOf<TracerOf<A>, double, QueriesOf<TracerOf<
     use(accel_, packed_leaves<Level::watertight>());
   }
 
+  template <class T, class Probe>
+  void visit_placed(PlacedQuery<T>& query, std::uint32_t instance, Level level, Probe& probe) const {
+    const TriangleBlocks* blocks = blocks_ ? &*blocks_ : nullptr;
+    if constexpr (std::is_same_v<T, float>) {
+      if (level == Level::fast) return query.template visit<Level::fast>(instance, accel_, *mesh_, blocks, probe);
+    }
+    query.template visit<Level::watertight>(instance, accel_, *mesh_, blocks, probe);
+  }
+
  private:
   template <Level level>
   PackedLeaves<level> packed_leaves() const {
@@ -135,11 +152,5 @@ std::unique_ptr<Tracer> make_tracer_of(std::shared_ptr<const TriangleMesh> mesh,
   return arena.execute(
       [&] { return std::make_unique<TracerOf<A>>(mesh, A::build(primitives, options), settings.pack_leaves); });
 }
-
-/// The registry is cut into slices, each compiled on its own; null when the name is not in this one.
-inline constexpr int slice_count = 4;
-template <int Slice>
-std::unique_ptr<Tracer> make_tracer_in_slice(std::string_view accelerator, std::shared_ptr<const TriangleMesh> mesh,
-                                             const TracerSettings& settings);
 
 }  // namespace sightline::detail

@@ -24,6 +24,7 @@ SceneInstances instances_of(const Scene& scene) {
       ++placed.solids_left_out;
       return;
     }
+    if (geometry->mesh->size() == 0) return;
     const auto [entry, is_first] = numbers.try_emplace(geometry->mesh.get(), static_cast<std::uint32_t>(meshes.size()));
     if (is_first) meshes.push_back(geometry->mesh);
     const Placement placement(world.matrix(), entry->second);

@@ -10,8 +10,8 @@
 namespace sightline {
 
 /// The meshes of a scene where they stand, and the elements that they come from.
-///   Instances come in the depth-first order of their nodes, one a node that has a mesh. A mesh that several nodes or
-///   geometries share is listed once, those that no node has are not listed.
+///   Instances come in the depth-first order of their nodes, one a node that has a mesh of at least one triangle. A
+///   mesh that several nodes or geometries share is listed once, those that no node has are not listed.
 struct SceneInstances {
   struct Origin {
     NodeId node = no_node;             ///< Its geometry tells the normals and places in images.

@@ -7,7 +7,7 @@ namespace sightline {
 
 /// The unit sphere around the origin, the faces of a cube pushed out to it: 6 * 2 * 4^2 triangles between great circles
 /// 22.5 degrees apart, as Haines' Standard Procedural Databases cut theirs. Vertices lie on the sphere, and no point of
-/// a triangle is nearer to the center than 0.96.
+/// a triangle is nearer to the center than 0.948.
 MeshGeometry make_sphere_geometry();
 
 /// Along z from 0, where its radius is 1, to 1, where it is `top_radius`: a cylinder, or a cone cut off. 16 sides,

@@ -58,7 +58,7 @@ constexpr auto entries = std::to_array<Entry>({
     {{"jacks", "Enzmann's jacks within jacks, of Haines' databases; size: levels", 3, 1, 5}, &spd::make_jacks},
     {{"shells", "Pickover's sea shell of spheres, of Haines' databases; size: doublings of 180 spheres", 3, 1, 8},
      &spd::make_shells},
-    {{"sombrero", "Enzmann's damped wave, of Haines' databases; size: doublings of 16 points along a side", 3, 1, 8},
+    {{"sombrero", "Enzmann's damped wave, of Haines' databases; size: doublings of 16 points along a side", 3, 1, 7},
      &spd::make_sombrero},
     {{"soup", "small triangles anywhere; size: triangles", 10'000, 1, most_random}, &make_soup},
     {{"sticks", "long thin triangles side by side at 45 degrees, which no box fits; size: triangles", 50'000, 1,

@@ -1,5 +1,6 @@
 #pragma once
-/// Scenes by name, made on the spot and the same on every machine, or read from a file.
+/// Scenes by name, made on the spot, or read from a file. What is made is the same on every machine, as far as sines and
+/// logarithms of the C library are, which float rounds.
 
 #include <filesystem>
 #include <memory>

@@ -1,10 +1,12 @@
 #include "sightline/shape/instances.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
-#include "sightline/math/rounding.h"
 #include "sightline/math/transform.h"
 
 namespace sightline {
@@ -47,40 +49,70 @@ Affine Placement::to_world() const {
 /// I1 is monotone in each coordinate, roundings included, so that corners of the box are placed farthest.
 Aabb Placement::bounds(const Aabb& local) const {
   if (local.is_empty()) return {};
-  const auto farthest = [&](const std::array<float, 4>& r, bool is_upper) {
-    const auto corner = [&](int axis) {
-      return (r[static_cast<std::size_t>(axis)] > 0) == is_upper ? local.hi[axis] : local.lo[axis];
-    };
-    return static_cast<float>(double(r[0]) * corner(0) + double(r[1]) * corner(1) + double(r[2]) * corner(2) + r[3]);
+  const auto farthest = [&](std::size_t axis, bool is_upper) {
+    Vec3f corner;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto i = static_cast<int>(k);
+      corner[i] = (rows_[axis][k] > 0) == is_upper ? local.hi[i] : local.lo[i];
+    }
+    return coordinate(corner, axis);
   };
-  Aabb box;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto& r = rows_[static_cast<std::size_t>(axis)];
-    box.lo[axis] = farthest(r, false);
-    box.hi[axis] = farthest(r, true);
+  return {{farthest(0, false), farthest(1, false), farthest(2, false)},
+          {farthest(0, true), farthest(1, true), farthest(2, true)}};
+}
+
+/// Instances are looked at in the order of how far their boxes reach, until none reaches beyond what was found.
+float Instances::farthest(std::span<const Aabb> boxes, int axis, bool is_upper) const {
+  const float sign = is_upper ? 1.0f : -1.0f;
+  const auto reach = [&](std::uint32_t i) { return sign * (is_upper ? boxes[i].hi : boxes[i].lo)[axis]; };
+  const auto is_nearer = [&](std::uint32_t a, std::uint32_t b) { return reach(a) < reach(b); };
+  std::vector<std::uint32_t> heap(size());
+  std::iota(heap.begin(), heap.end(), 0u);
+  std::make_heap(heap.begin(), heap.end(), is_nearer);
+  float found = -std::numeric_limits<float>::infinity();
+  while (!heap.empty() && reach(heap.front()) > found) {
+    for (const Vec3f& p : mesh_of(heap.front()).positions()) {
+      found = std::max(found, sign * placements_[heap.front()].coordinate(p, static_cast<std::size_t>(axis)));
+    }
+    std::pop_heap(heap.begin(), heap.end(), is_nearer);
+    heap.pop_back();
   }
-  return box;
+  return sign * found;
 }
 
 std::string_view missing_of(const Placement& placement, const TriangleMesh& mesh) {
   const Affine map = placement.to_world();
   if (!is_finite(map)) return "a matrix of numbers that are finite in float";
   if (sign_of_determinant(map) == 0) return "a matrix that can be inverted in float";
+  if (mesh.size() == 0) return "a mesh that has triangles";
   const Aabb box = placement.bounds(mesh.bounds());
-  if (!box.is_empty() && !(is_finite(box.lo) && is_finite(box.hi))) return "vertices within the range of float";
+  if (!is_finite(box.lo) || !is_finite(box.hi)) return "vertices within the range of float";
   return {};
 }
 
 Instances::Instances(std::vector<std::shared_ptr<const TriangleMesh>> meshes, std::vector<Placement> placements)
     : meshes_(std::move(meshes)), placements_(std::move(placements)) {
+  std::vector<Aabb> boxes(placements_.size());
   for (std::size_t i = 0; i < placements_.size(); ++i) {
     const Placement& placement = placements_[i];
     if (placement.mesh() >= meshes_.size()) refuse(i, "a mesh below " + std::to_string(meshes_.size()));
     const TriangleMesh& mesh = *meshes_[placement.mesh()];
     if (const std::string_view missing = missing_of(placement, mesh); !missing.empty()) refuse(i, std::string(missing));
-    bounds_.extend(placement.bounds(mesh.bounds()));
+    boxes[i] = placement.bounds(mesh.bounds());
     triangles_ += mesh.size();
   }
+  for (int axis = 0; axis < 3; ++axis) {
+    bounds_.lo[axis] = farthest(boxes, axis, false);
+    bounds_.hi[axis] = farthest(boxes, axis, true);
+  }
+}
+
+bool Instances::have_moved_to(const Instances& others) const {
+  if (size() != others.size()) return false;
+  for (std::uint32_t i = 0; i < size(); ++i) {
+    if (&mesh_of(i) != &others.mesh_of(i)) return false;
+  }
+  return true;
 }
 
 TriangleMesh Instances::flattened(std::uint64_t most) const {

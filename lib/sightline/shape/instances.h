@@ -32,15 +32,11 @@ class Placement {
   /// Exactly what the floats say.
   Affine to_world() const;
 
-  Vec3f point(const Vec3f& p) const {  // I1
-    Vec3f placed;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto& r = rows_[axis];
-      placed[static_cast<int>(axis)] =
-          static_cast<float>(double(r[0]) * p.x + double(r[1]) * p.y + double(r[2]) * p.z + r[3]);
-    }
-    return placed;
+  float coordinate(const Vec3f& p, std::size_t axis) const {  // I1
+    const auto& r = rows_[axis];
+    return static_cast<float>(double(r[0]) * p.x + double(r[1]) * p.y + double(r[2]) * p.z + r[3]);
   }
+  Vec3f point(const Vec3f& p) const { return {coordinate(p, 0), coordinate(p, 1), coordinate(p, 2)}; }
 
   Triangle triangle(const Triangle& local) const {
     const Triangle placed{point(local.a), point(local.b), point(local.c)};
@@ -73,11 +69,14 @@ class Instances {
   std::span<const std::shared_ptr<const TriangleMesh>> meshes() const { return meshes_; }
   const TriangleMesh& mesh_of(std::uint32_t instance) const { return *meshes_[placements_[instance].mesh()]; }
 
+  /// Whether these and others are as many, and each of the same mesh: then they differ in their places alone.
+  bool have_moved_to(const Instances& others) const;
+
   /// Of all instances.
   std::uint64_t triangles() const { return triangles_; }
   /// Holds the instance.
   Aabb bounds(std::uint32_t instance) const { return placements_[instance].bounds(mesh_of(instance).bounds()); }
-  /// Holds all instances.
+  /// Of all vertices where they stand: those of the flattened mesh.
   const Aabb& bounds() const { return bounds_; }
 
   /// In the world.
@@ -90,6 +89,9 @@ class Instances {
   TriangleMesh flattened(std::uint64_t most = std::uint64_t{1} << 27) const;
 
  private:
+  /// Over all vertices where they stand; `boxes` hold the instances.
+  float farthest(std::span<const Aabb> boxes, int axis, bool is_upper) const;
+
   std::vector<std::shared_ptr<const TriangleMesh>> meshes_;
   std::vector<Placement> placements_;
   std::uint64_t triangles_ = 0;

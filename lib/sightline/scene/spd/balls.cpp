@@ -23,9 +23,9 @@ std::array<Vec3d, 9> child_directions() {
   return directions;
 }
 
-/// What turns +z to a child's direction in the world decides where its own children are, so that all have their poles
-/// alike. Of children that are straight below, real arithmetic has x = y = 0, and the way around is anyone's choice;
-/// others are 1/2 off at least. Rounding moves directions by less than 2^-45 at all depths that fit into memory.
+/// What turns +z to a child's direction by the shortest way decides where its own children are. Of those straight
+/// below, real arithmetic has x = y = 0, and any way is shortest: rounding must not choose. It moves directions by less
+/// than 2^-45 within five levels, where all others are 2^-16 off at least.
 Transform pole_turn(const Vec3d& direction) {
   const bool is_straight_below = direction.z < 0 && std::hypot(direction.x, direction.y) < 0x1p-40;
   return turn_to(is_straight_below ? Vec3d(0, 0, -1) : direction);
@@ -55,7 +55,8 @@ class Flake {
 }  // namespace
 
 Scene make_balls(int levels) {
-  Scene scene = stage("balls", Up::z, {{2.1, 1.3, 1.7}, {0, 0, 0}, {0, 0, 1}}, {{4, 3, 2}, {1, -4, 4}, {-3, 1, 5}});
+  Scene scene =
+      stage("balls", Up::z, {{2.1, 1.3, 1.7}, {0, 0, 0}, {0, 0, 1}}, {0, 0, 0}, {{4, 3, 2}, {1, -4, 4}, {-3, 1, 5}});
   const std::uint32_t floor = add_geometry(
       scene, "floor", make_quad_geometry({12, 12, -0.5f}, {-12, 12, -0.5f}, {-12, -12, -0.5f}, {12, -12, -0.5f}));
   place(scene, root_node, "floor", {}, floor, add_surface(scene, "floor", {{1, 0.75f, 0.33f}, 0.8}));
@@ -68,7 +69,7 @@ Scene make_balls(int levels) {
 }
 
 Scene make_shells(int size) {
-  Scene scene = stage("shells", Up::z, {{-6, -60, 35}, {0, 8, -15}, {0, 0, 1}}, {{-100, -100, 100}});
+  Scene scene = stage("shells", Up::z, {{-6, -60, 35}, {0, 8, -15}, {0, 0, 1}}, {0, 0, -15}, {{-100, -100, 100}});
   const std::uint32_t sphere = add_geometry(scene, "sphere", make_sphere_geometry());
   const NodeId shell = scene.graph.add(root_node, "shell");
   scene.graph.set_material(shell, add_surface(scene, "shell", {{1, 0.8f, 0.4f}, 0.8, 0.2}));

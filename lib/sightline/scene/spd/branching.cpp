@@ -54,7 +54,7 @@ Scene make_tetra(int levels) {
   Scene scene =
       stage("tetra", Up::y,
             {{1.022846, -3.177154, -2.174512}, {-0.004103, -0.004103, 0.216539}, {-0.816497, -0.816497, 0.816497}},
-            {{1.876066, -18.123936, -5.000422}});
+            {0, 0, 0}, {{1.876066, -18.123936, -5.000422}});
   std::vector<Vec3f> corners(tetra_corners.begin(), tetra_corners.end());
   std::vector<TriangleMesh::Corners> faces{{0, 1, 2}, {3, 2, 1}, {2, 3, 0}, {1, 0, 3}};
   const std::uint32_t tetrahedron = add_geometry(
@@ -77,7 +77,7 @@ Scene make_tetra(int levels) {
 
 Scene make_tree(int levels) {
   Scene scene =
-      stage("tree", Up::z, {{4.5, 0.4, 2}, {0, 0, 1.5}, {0, 0, 1}},
+      stage("tree", Up::z, {{4.5, 0.4, 2}, {0, 0, 1.5}, {0, 0, 1}}, {0, 0, 1.5},
             {{-5, 5, 50}, {30, -30, 30}, {-40, -30, 20}, {10, 30, 40}, {-30, 40, 10}, {50, 25, 20}, {-10, -60, 30}});
   const std::uint32_t field =
       add_geometry(scene, "field", make_quad_geometry({50, 50, 0}, {-50, 50, 0}, {-50, -50, 0}, {50, -50, 0}));

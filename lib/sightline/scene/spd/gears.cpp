@@ -65,7 +65,7 @@ Color gear_color(int x, int y, int z) {
 }  // namespace
 
 Scene make_gears(int size) {
-  Scene scene = stage("gears", Up::z, {{-1.1, -2.1, 2.6}, {0, 0, 0}, {0, 0, 1}},
+  Scene scene = stage("gears", Up::z, {{-1.1, -2.1, 2.6}, {0, 0, 0}, {0, 0, 1}}, {0, 0, 0},
                       {{2, 4, 4}, {-2, 4, 3}, {2, -2.5, 2.5}, {-1, -4, 2}, {-1.111, -2.121, 2.626}});
   const std::uint32_t floor =
       add_geometry(scene, "floor", make_quad_geometry({2, 2, 0}, {-2, 2, 0}, {-2, -2, 0}, {2, -2, 0}));

@@ -100,7 +100,7 @@ class Mountain {
 }  // namespace
 
 Scene make_mountain(int levels) {
-  Scene scene = stage("mountain", Up::z, {{-1.6, 1.6, 1.7}, {0, 0, 0}, {0, 0, 1}}, {{-100, -100, 100}});
+  Scene scene = stage("mountain", Up::z, {{-1.6, 1.6, 1.7}, {0, 0, 0}, {0, 0, 1}}, {0, 0, 0}, {{-100, -100, 100}});
   const std::uint32_t sphere = add_geometry(scene, "sphere", make_sphere_geometry());
   const NodeId crystal = scene.graph.add(root_node, "crystal", Transform::translation({-0.8, 0.8, 1}));
   scene.graph.set_material(crystal, add_surface(scene, "crystal", {{1, 1, 1}, 0.1, 0.1, 0.9, 1.5}));
@@ -121,7 +121,7 @@ Scene make_mountain(int levels) {
 }
 
 Scene make_sombrero(int size) {
-  Scene scene = stage("sombrero", Up::y, {{0, 5, -8}, {0, 0, 0}, {0, 0, 1}, 40}, {{10, 10, -10}});
+  Scene scene = stage("sombrero", Up::y, {{0, 5, -8}, {0, 0, 0}, {0, 0, 1}, 40}, {0, 0, 0}, {{10, 10, -10}});
   const int points = 32 << (size - 1);
   std::vector<Vec3f> positions;
   for (int row = 0; row < points; ++row) {
@@ -150,8 +150,8 @@ Scene make_sombrero(int size) {
 }
 
 Scene make_teapot_board(int size) {
-  Scene scene =
-      stage("teapot-board", Up::z, {{4.86, 7.2, 5.4}, {0, 0, 0}, {0, 0, 1}}, {{-3.1, 9.8, 12.1}, {11.3, 5.1, 8.8}});
+  Scene scene = stage("teapot-board", Up::z, {{4.86, 7.2, 5.4}, {0, 0, 0}, {0, 0, 1}}, {0, 0, 0},
+                      {{-3.1, 9.8, 12.1}, {11.3, 5.1, 8.8}});
   // Ours has y up already.
   auto teapot = std::make_shared<const TriangleMesh>(make_teapot(size));
   std::vector<Vec3f> normals = smooth_normals(*teapot);

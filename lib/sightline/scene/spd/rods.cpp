@@ -32,7 +32,7 @@ Scene make_rings(int size) {
   constexpr double radius = 0.07412;
   const double distance = 1 / std::sin(std::numbers::pi / 8);
   const Vec3d eye(-1, -distance, 0.5);
-  Scene scene = stage("rings", Up::z, {eye, eye + Vec3d(0, 1, 0), {0, 0, 1}},
+  Scene scene = stage("rings", Up::z, {eye, eye + Vec3d(0, 1, 0), {0, 0, 1}}, {0, distance * (size + 1) / 2, 0},
                       {{3, -distance, 3}, {-4, -distance, 1}, {2, -distance, -4}});
   const double depth = distance * (size + 1);
   const double half = 1.01 * (depth - eye.y) * std::tan(std::numbers::pi / 8);  // a little more than the camera sees
@@ -82,6 +82,7 @@ Scene make_lattice(int size) {
   const double inset = 0.99 * ball_radius * (1 - std::sqrt(rod_radius / ball_radius));
   const double middle = (size / 2 + 0.5) * cell;
   Scene scene = stage("lattice", Up::y, {{middle, 1, 1 - cell / 2}, {middle, -1, -1 - cell / 2}, {0.2, 1, 0}, 60},
+                      {0.5, 0.5, 0.5},
                       {{2, 0.5, 0.5}, {-1, 0.5, 0.5}, {0.5, 2, 0.5}, {0.5, -1, 0.5}, {0.5, 0.5, 2}, {0.5, 0.5, -1}});
   const Parts parts = add_parts(scene);
   const std::uint32_t mirror = add_surface(scene, "mirror", {{0.9f, 0.9f, 0.9f}, 0.5, 0.5});
@@ -107,7 +108,7 @@ Scene make_lattice(int size) {
 }
 
 Scene make_jacks(int levels) {
-  Scene scene = stage("jacks", Up::y, {{0, 0, -8}, {0, 0, 0}, {0, 1, 0}, 25}, {{-10, 3, -20}});
+  Scene scene = stage("jacks", Up::y, {{0, 0, -8}, {0, 0, 0}, {0, 1, 0}, 25}, {0, 0, 0}, {{-10, 3, -20}});
   const Parts parts = add_parts(scene);
   const NodeId all =
       scene.graph.add(root_node, "jacks", Transform::rotation({1, 0, 0}, -30) * Transform::rotation({0, 1, 0}, -20));

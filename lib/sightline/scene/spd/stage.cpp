@@ -7,7 +7,7 @@
 
 namespace sightline::spd {
 
-Scene stage(const char* name, Up up, const View& view, std::initializer_list<Vec3d> lights) {
+Scene stage(const char* name, Up up, const View& view, const Vec3d& subject, std::initializer_list<Vec3d> lights) {
   Scene scene;
   scene.name = name;
   if (up == Up::z) scene.graph.set_local(root_node, Transform::rotation({1, 0, 0}, -90));
@@ -15,7 +15,7 @@ Scene stage(const char* name, Up up, const View& view, std::initializer_list<Vec
   const double brightness = 0.5 / std::sqrt(static_cast<double>(lights.size()));
   int number = 0;
   for (const Vec3d& light : lights) {
-    const Vec3d way = light - view.at;
+    const Vec3d way = light - subject;
     add_point_light(scene, root_node, "light " + std::to_string(++number), light,
                     std::numbers::pi * brightness * glm::dot(way, way));
   }

@@ -16,9 +16,9 @@ struct View {
 enum class Up { y, z };
 
 /// With camera and lights, below a root that turns the database's "up" to y. Haines gives n lights sqrt(n) / (2 n) of
-/// the brightness of white, however far they are. Lights here fade with distance, and are as bright as that where the
-/// camera looks: a white matte surface that faces one there has that share of white, pi times less than it gets.
-Scene stage(const char* name, Up up, const View& view, std::initializer_list<Vec3d> lights);
+/// the brightness of white, however far they are. Lights here fade with distance, and are as bright as that at
+/// `subject`: a white matte surface that faces one there has that share of white, pi times less than it gets.
+Scene stage(const char* name, Up up, const View& view, const Vec3d& subject, std::initializer_list<Vec3d> lights);
 
 /// Shares of light that a surface of a color scatters, mirrors and passes on.
 struct Surface {
