@@ -178,6 +178,28 @@ expect_one_line
 expect_says 'is wrong, so no times are shown'
 expect_no_file
 
+# ---- Scene graphs
+
+run "$bench" graph --help
+expect_exit 0
+expect_quiet
+for word in --rounds --quick --json --self-check cylinders; do expect_prints "$word"; done
+refuses 2 rounds "$bench" graph --rounds 0
+refuses 2 stray "$bench" graph stray
+refuses 2 table "$bench" graph --json -
+refuses 1 /dev/null "$bench" graph --json /dev/null/out.json
+run "$bench" graph --quick --rounds 1 --json out.json
+expect_exit 0
+for word in 'cached, root moves' 'depth 256' 'in vain' cylinder teapots 'one leaf' '10,000 nodes, sphere'; do
+  expect_prints "$word"
+done
+check 'times in the JSON file' grep -q '"speed_over_first"' "$work/out.json"
+run "$bench" graph --quick --rounds 1 --self-check --json out.json
+expect_exit 1
+expect_one_line
+expect_says 'box is wrong, so no times are shown'
+expect_no_file
+
 # ---- Tori
 
 torus=(torus --quick --rays 200 --rounds 3)

@@ -30,7 +30,7 @@ class EnclosureImage {
   Candidate of_cylinder() const;
   Candidate of_box_along(int edge) const;
 
-  const Enclosure& thing_;
+  Enclosure thing_;
   std::array<Vec3d, 3> columns_;  ///< Of the linear part, over `scale_`, so that no square leaves the range.
   std::array<Vec3d, 3> rows_;     ///< Likewise.
   double scale_ = 1;

@@ -23,6 +23,11 @@ class Controller {
   virtual void pose(double time, std::vector<NodePose>& poses) const = 0;
 };
 
+/// The pose of a node that a hand has moved by a way in the world, so that what it holds follows.
+inline Transform dragged(const Transform& local, const Transform& parent_world, const Vec3d& by) {
+  return Transform::translation(parent_world.inverse().vector(by)) * local;
+}
+
 /// \throws std::invalid_argument for a pose of a node that is not in the graph.
 void apply(const std::vector<NodePose>& poses, SceneGraph& graph);
 

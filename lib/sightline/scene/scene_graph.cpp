@@ -41,6 +41,22 @@ std::string SceneGraph::path(NodeId node) const {
   return text;
 }
 
+NodeId SceneGraph::find(std::string_view path) const {
+  NodeId node = root_node;
+  while (node != no_node && !path.empty()) {
+    if (path.front() != '/') return no_node;
+    const std::string_view step = path.substr(1, path.find('/', 1) - 1);
+    path.remove_prefix(1 + step.size());
+    if (step.empty()) return node == root_node && path.empty() ? node : no_node;
+    const auto is_meant = [&](NodeId child) {
+      return name(child).empty() ? step == std::to_string(child) : step == name(child);
+    };
+    node = first_child(node);
+    while (node != no_node && !is_meant(node)) node = next_sibling(node);
+  }
+  return node;
+}
+
 void SceneGraph::append(NodeId node, NodeId parent) {
   Node& above = nodes_[parent];
   nodes_[node].parent = parent;

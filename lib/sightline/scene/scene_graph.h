@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sightline/math/transform.h"
@@ -50,6 +51,8 @@ class SceneGraph {
 
   /// Names from the root on, "/person/torso/arm"; nodes without a name by their number.
   std::string path(NodeId node) const;
+  /// The first node that has the path, or no_node.
+  NodeId find(std::string_view path) const;
 
   /// Calls visit(node, world) for `from` and all below it, parents first, children in their order (depth-first).
   template <class Visit>
