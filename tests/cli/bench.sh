@@ -230,4 +230,63 @@ expect_exit 1
 expect_one_line
 expect_says 'exact is wrong'
 expect_no_file
+
+# ---- Instances, and scenes that move
+
+instances=(instances --quick --count 200 --rays 200 --rounds 2)
+run "$bench" instances --help
+expect_exit 0
+expect_quiet
+for word in --count --accel --lower --rays --json Embree; do expect_prints "$word"; done
+refuses 2 count "$bench" instances --count 0
+refuses 2 count "$bench" instances --count many
+refuses 2 rays "$bench" instances --rays 5
+refuses 2 no-such-tree "$bench" instances --accel no-such-tree
+refuses 2 no-such-tree "$bench" instances --lower no-such-tree
+refuses 2 'one structure' "$bench" instances --lower kd-tree,bih
+refuses 2 twice "$bench" instances --accel kd-tree,kd-tree
+refuses 2 'one level' "$bench" instances --precision fast,watertight
+refuses 2 'unknown level' "$bench" instances --precision exact
+refuses 2 kettle "$bench" instances --scene kettle
+refuses 2 stray "$bench" instances stray
+refuses 2 table "$bench" instances --json -
+refuses 2 'unknown line' "$bench" instances --self-check embree # which may round otherwise
+refuses 1 none.ply "$bench" instances --scene none.ply
+refuses 1 /dev/null "$bench" instances --json /dev/null/out.json
+run "$bench" "${instances[@]}" --json out.json
+expect_exit 0
+for word in 'box-tree  ' 'kd-tree  ' 'embree  ' resident camera inside; do expect_prints "$word"; done
+check 'memory in the JSON file' grep -q '"resident_bytes"' "$work/out.json"
+run "$bench" "${instances[@]}" --accel bih --lower kd-tree --scene soup:300 --precision fast
+expect_exit 0
+expect_prints 'its mesh and kd-tree'
+rm -f "$work/out.json"
+run "$bench" "${instances[@]}" --accel kd-tree,bih --self-check bih --json out.json
+expect_exit 1
+expect_one_line
+expect_says 'bih is wrong'
+expect_no_file
+
+moving=(moving --levels 4 --frames 5)
+run "$bench" moving --help
+expect_exit 0
+expect_quiet
+for word in --levels --frames --accel --json renderLevel; do expect_prints "$word"; done
+refuses 2 levels "$bench" moving --levels 1
+refuses 2 frames "$bench" moving --frames 0
+refuses 2 'can be refitted' "$bench" moving --accel kd-tree
+refuses 2 stray "$bench" moving stray
+refuses 2 table "$bench" moving --json -
+refuses 2 'unknown line' "$bench" moving --self-check kd-tree
+refuses 1 /dev/null "$bench" moving --json /dev/null/out.json
+run "$bench" "${moving[@]}" --json out.json
+expect_exit 0
+for word in 'box-tree ' 'wide-tree ' 'bih ' '15 spheres' refitted; do expect_prints "$word"; done
+check 'ratios in the JSON file' grep -q '"build_over_refit"' "$work/out.json"
+rm -f "$work/out.json"
+run "$bench" "${moving[@]}" --self-check bih --json out.json
+expect_exit 1
+expect_one_line
+expect_says 'bih is wrong'
+expect_no_file
 finish
