@@ -118,7 +118,7 @@ solids=(solids --quick --rounds 1)
 run "$bench" solids --help
 expect_exit 0
 expect_quiet
-for word in --precision --ablation --accel widget cheese:256 solid.use_bounds povray; do expect_prints "$word"; done
+for word in --precision --single --ablation --accel widget cheese:256 solid.use_bounds povray; do expect_prints "$word"; done
 refuses 2 'unknown scene' "$bench" solids --scene no-such-scene
 refuses 2 cheese:16 "$bench" solids --scene cheese:17 # the message lists what there is
 refuses 2 'unknown level' "$bench" solids --precision no-such-level
@@ -144,6 +144,9 @@ run "$bench" "${solids[@]}" --scene cheese:1 --scene cheese:16 --scene cheese:4 
 expect_exit 0
 for word in 'exact, use_bounds off' 'exact, all off' 'fast ' exponent 'solid in kd-tree'; do expect_prints "$word"; done
 check 'exponents in the JSON file' grep -q '"exponent"' "$work/out.json"
+run "$bench" "${solids[@]}" --scene widgets --peer none --single
+expect_exit 0
+for word in 'watertight ' 'watertight single' '64 solids in bih'; do expect_prints "$word"; done
 run "$bench" "${solids[@]}" --scene widget --peer none --precision watertight,exact --self-check exact --json out.json
 expect_exit 1
 expect_one_line
