@@ -111,6 +111,12 @@ TEST(SceneImport, EveryModelOfDebians) {
   EXPECT_GE(refused, 30);
 }
 
+TEST(SceneImport, WarningsAreLines) {
+  Model model;
+  model.warnings = {"texture \"a\nb\x1b\": expected an image, found none"};
+  EXPECT_EQ(scene_of("model", std::move(model)).warnings.at(0), "texture \"a?b?\": expected an image, found none");
+}
+
 TEST(SceneImport, SingularNodesAreNamed) {
   const TemporaryFolder folder;
   const auto path = folder.write("flat.gltf", R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}],

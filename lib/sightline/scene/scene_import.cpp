@@ -91,6 +91,15 @@ Animation animation_of(const ModelAnimation& from, const std::vector<NodeId>& id
   return animation;
 }
 
+/// Names out of files may hold anything.
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte >= 0x7f) c = '?';
+  }
+  return text;
+}
+
 }  // namespace
 
 Scene scene_of(const std::filesystem::path& path, Model model) {
@@ -149,6 +158,7 @@ Scene scene_of(const std::filesystem::path& path, Model model) {
       scene.warnings.push_back(std::string(error.what()) + "; left out");
     }
   }
+  for (std::string& warning : scene.warnings) warning = one_line(std::move(warning));
   return scene;
 }
 
