@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -11,11 +10,10 @@
 #include "viz/noise_tool/answer.h"
 #include "viz/noise_tool/field_flags.h"
 #include "viz/noise_tool/slice.h"
+#include "viz/run_tool.h"
 
 namespace sightline::noise_tool {
 namespace {
-
-constexpr int success = 0, failure = 1, wrong_usage = 2;
 
 constexpr const char* about = R"(Answers what noise is at points: reads lines of numbers, and writes one line for each.
 
@@ -89,13 +87,7 @@ int run(int argc, char** argv) {
   const FieldFlags flags(app);
   add_options(app, request, words);
   add_image_options(app, request, words, of_image);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {
-    return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(std::string(error.what()) + " (see --help)");
-  }
+  if (const std::optional<int> status = parse(app, argc, argv)) return *status;
   request.field = flags.options();
   request.precision = parse_precision(words.precision);
   parse_size(words.size, request.slice);
@@ -132,15 +124,5 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
-  const auto report = [](const std::exception& error, int status) {
-    std::cerr << "sightline-noise: " << error.what() << '\n';
-    return status;
-  };
-  try {
-    return sightline::noise_tool::run(argc, argv);
-  } catch (const std::invalid_argument& error) {
-    return report(error, sightline::noise_tool::wrong_usage);
-  } catch (const std::exception& error) {
-    return report(error, sightline::noise_tool::failure);
-  }
+  return sightline::run_tool("sightline-noise", [&] { return sightline::noise_tool::run(argc, argv); });
 }

@@ -1,17 +1,15 @@
 /// sightline-probe: where rays meet solids, asked and answered in lines of JSON.
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
 
 #include "viz/probe/answer.h"
+#include "viz/run_tool.h"
 
 namespace sightline::probe {
 namespace {
-
-constexpr int success = 0, failure = 1, wrong_usage = 2;
 
 /// Longer lines are refused, so that one cannot take all memory.
 constexpr std::size_t longest_line = std::size_t{64} << 20;
@@ -114,13 +112,7 @@ int run(int argc, char** argv) {
       "\n  precise: t is off by less than its last place"
       "\n  exact: t is rounded correctly";
   app.add_option("--precision", precision, help)->option_text(names);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {
-    return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(std::string(error.what()) + " (see --help)");
-  }
+  if (const std::optional<int> status = parse(app, argc, argv)) return *status;
   for (const LevelInfo& info : level_infos) {
     if (info.name != precision) continue;
     if (file == "-") return answer_all(std::cin, info.level);
@@ -138,15 +130,5 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
-  const auto report = [](const std::exception& error, int status) {
-    std::cerr << "sightline-probe: " << error.what() << '\n';
-    return status;
-  };
-  try {
-    return sightline::probe::run(argc, argv);
-  } catch (const std::invalid_argument& error) {
-    return report(error, sightline::probe::wrong_usage);
-  } catch (const std::exception& error) {
-    return report(error, sightline::probe::failure);
-  }
+  return sightline::run_tool("sightline-probe", [&] { return sightline::probe::run(argc, argv); });
 }

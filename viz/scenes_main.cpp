@@ -1,20 +1,18 @@
 /// sightline-scenes: what scenes there are, what is in one, and one as glTF.
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <stdexcept>
 
 #include "sightline/io/progress.h"
 #include "sightline/scene/gltf_export.h"
 #include "sightline/scene/scenes.h"
+#include "viz/run_tool.h"
 #include "viz/scenes_tool/page.h"
 #include "viz/scenes_tool/scene_facts.h"
 #include "viz/scenes_tool/thumbnail.h"
 
 namespace sightline::scenes_tool {
 namespace {
-
-constexpr int success = 0, failure = 1, wrong_usage = 2;
 
 constexpr const char* about = R"(Lists what --scene takes, a line each; or tells of one scene, and writes it as glTF.
 
@@ -108,13 +106,7 @@ int run(int argc, char** argv) {
   app.add_option("--size", request.size, "Pixels of a picture; default 320x240")->option_text("WxH");
   app.add_option("--export", request.file, "Writes the scene as glTF 2: .glb, or .gltf with its data within")
       ->option_text("FILE");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {
-    return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(std::string(error.what()) + " (see --help)");
-  }
+  if (const std::optional<int> status = parse(app, argc, argv)) return *status;
   parse_size(request);
   if (!request.scene.empty()) return tell_of_one(request);
   if (!request.file.empty()) throw std::invalid_argument("--export: expected a scene to write, found none");
@@ -125,15 +117,5 @@ int run(int argc, char** argv) {
 }  // namespace sightline::scenes_tool
 
 int main(int argc, char** argv) {
-  const auto report = [](const std::exception& error, int status) {
-    std::cerr << "sightline-scenes: " << error.what() << '\n';
-    return status;
-  };
-  try {
-    return sightline::scenes_tool::run(argc, argv);
-  } catch (const std::invalid_argument& error) {
-    return report(error, sightline::scenes_tool::wrong_usage);
-  } catch (const std::exception& error) {
-    return report(error, sightline::scenes_tool::failure);
-  }
+  return sightline::run_tool("sightline-scenes", [&] { return sightline::scenes_tool::run(argc, argv); });
 }

@@ -1,6 +1,5 @@
 /// sightline-tour: the newcomer's page. Measures, traces and draws one scene with every structure.
 
-#include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
 #include <set>
@@ -10,6 +9,7 @@
 #include "sightline/scene/scenes.h"
 #include "viz/child_process.h"
 #include "viz/heat_map.h"
+#include "viz/run_tool.h"
 #include "viz/structure.h"
 #include "viz/tour_page.h"
 #include "viz/traced_picture.h"
@@ -18,7 +18,6 @@
 namespace sightline::viz {
 namespace {
 
-constexpr int success = 0, failure = 1, wrong_usage = 2;
 constexpr int width = 800, height = 600;              // of traced pictures
 constexpr int drawn_width = 960, drawn_height = 720;  // of drawn cells, with their caption readable in half a page
 constexpr std::string_view oracle_name = "brute-force";
@@ -192,13 +191,7 @@ int run(int argc, char** argv) {
       ->type_name("SCENE")
       ->allow_extra_args(false);
   app.add_option("--data", arguments.data, "Folder of scene data")->type_name("DIR");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(std::string(error.what()) + " (see --help)");
-  }
+  if (const std::optional<int> status = parse(app, argc, argv)) return *status;
 
   // The page is the last file written, and an older one goes first: where there is a page, its pictures are whole.
   const std::filesystem::path page = arguments.out / "index.html", json = arguments.out / "bench.json";
@@ -228,15 +221,5 @@ int run(int argc, char** argv) {
 }  // namespace sightline::viz
 
 int main(int argc, char** argv) {
-  const auto report = [](const std::exception& error, int status) {
-    std::cerr << "sightline-tour: " << error.what() << '\n';
-    return status;
-  };
-  try {
-    return sightline::viz::run(argc, argv);
-  } catch (const std::invalid_argument& error) {
-    return report(error, sightline::viz::wrong_usage);
-  } catch (const std::exception& error) {
-    return report(error, sightline::viz::failure);
-  }
+  return sightline::run_tool("sightline-tour", [&] { return sightline::viz::run(argc, argv); });
 }

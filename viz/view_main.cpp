@@ -12,6 +12,7 @@
 #include "viz/csg_command.h"
 #include "viz/noise/noise_command.h"
 #include "viz/partition_window.h"
+#include "viz/run_tool.h"
 #include "viz/structure.h"
 #include "viz/texture/texture_commands.h"
 #include "viz/view_options.h"
@@ -19,8 +20,6 @@
 
 namespace sightline::viz {
 namespace {
-
-constexpr int success = 0, failure = 1, wrong_usage = 2;
 
 constexpr const char* about =
     R"(Draws how a structure divides space, what a ray makes of a solid, and what noise and textures are made of.
@@ -220,17 +219,5 @@ int run(int argc, char** argv) {
 }  // namespace sightline::viz
 
 int main(int argc, char** argv) {
-  const auto report = [](const std::exception& error, int status) {
-    std::cerr << "sightline-view: " << error.what() << '\n';
-    return status;
-  };
-  try {
-    return sightline::viz::run(argc, argv);
-  } catch (const sightline::viz::UsageError& error) {
-    return report(error, sightline::viz::wrong_usage);
-  } catch (const std::invalid_argument& error) {
-    return report(error, sightline::viz::wrong_usage);
-  } catch (const std::exception& error) {
-    return report(error, sightline::viz::failure);
-  }
+  return sightline::run_tool("sightline-view", [&] { return sightline::viz::run(argc, argv); });
 }
