@@ -9,6 +9,7 @@
 #include "bench/help.h"
 #include "bench/peers/peers.h"
 #include "bench/stage.h"
+#include "bench/subcommand.h"
 #include "bench/text_table.h"
 
 namespace sightline::bench {
@@ -25,22 +26,6 @@ void set_quality(AcceleratorSpec& spec, const std::string& quality) {
     if (std::any_of(options.begin(), options.end(), has_choice)) return;
     options.push_back({std::string(name), quality});
   }
-}
-
-/// The strictest first, whatever their order was.
-std::vector<Level> parse_levels(const std::vector<std::string>& names) {
-  for (auto name = names.begin(); name != names.end(); ++name) {
-    const auto is_named = [&](Level level) { return info_of(level).name == *name; };
-    if (std::none_of(triangle_levels.begin(), triangle_levels.end(), is_named)) {
-      throw UsageError("unknown level '" + *name + "'; expected fast, watertight, or fast,watertight for both");
-    }
-    if (std::find(names.begin(), name, *name) != name) throw UsageError("--precision names " + *name + " twice");
-  }
-  std::vector<Level> levels;
-  for (const Level level : {Level::watertight, Level::fast}) {
-    if (std::find(names.begin(), names.end(), info_of(level).name) != names.end()) levels.push_back(level);
-  }
-  return levels;
 }
 
 /// \throws UsageError where a run asks for what none of its contenders does.
@@ -61,31 +46,6 @@ void check_contenders(const Plan& plan) {
   if (!plan.spoiled.empty() && std::find(names.begin(), names.end(), plan.spoiled) == names.end()) {
     throw UsageError("--self-check " + plan.spoiled + ": not in this run; expected one of " + joined(names));
   }
-}
-
-/// \throws std::invalid_argument
-std::vector<AcceleratorSpec> parse_structures(const std::vector<std::string>& texts,
-                                              const std::vector<std::string>& settings, const std::string& quality) {
-  std::vector<AcceleratorSpec> structures;
-  for (const std::string& text : texts) {
-    for (AcceleratorSpec& spec : parse_accelerators(text)) structures.push_back(std::move(spec));
-  }
-  apply_settings(structures, settings);
-  if (!quality.empty()) {
-    if (std::find(quality_names.begin(), quality_names.end(), quality) == quality_names.end()) {
-      throw UsageError("unknown quality '" + quality + "'; expected fast, balanced or best");
-    }
-    for (AcceleratorSpec& spec : structures) set_quality(spec, quality);
-  }
-  for (std::size_t i = 0; i < structures.size(); ++i) {
-    check_accelerator(structures[i]);
-    for (std::size_t j = 0; j < i; ++j) {
-      if (structures[j].label == structures[i].label) {
-        throw UsageError("--accel names " + structures[i].label + " twice");
-      }
-    }
-  }
-  return structures;
 }
 
 std::vector<Workload> parse_workloads(const std::vector<std::string>& names) {
@@ -183,6 +143,45 @@ void make_growing(Plan& plan, bool is_quick) {
 }
 
 }  // namespace
+
+std::vector<Level> parse_triangle_levels(const std::vector<std::string>& names) {
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    const auto is_named = [&](Level level) { return info_of(level).name == *name; };
+    if (std::none_of(triangle_levels.begin(), triangle_levels.end(), is_named)) {
+      throw UsageError("unknown level '" + *name + "'; expected fast, watertight, or fast,watertight for both");
+    }
+    if (std::find(names.begin(), name, *name) != name) throw UsageError("--precision names " + *name + " twice");
+  }
+  std::vector<Level> levels;
+  for (const Level level : {Level::watertight, Level::fast}) {
+    if (std::find(names.begin(), names.end(), info_of(level).name) != names.end()) levels.push_back(level);
+  }
+  return levels;
+}
+
+std::vector<AcceleratorSpec> parse_structures(const std::vector<std::string>& texts,
+                                              const std::vector<std::string>& settings, const std::string& quality) {
+  std::vector<AcceleratorSpec> structures;
+  for (const std::string& text : texts) {
+    for (AcceleratorSpec& spec : parse_accelerators(text)) structures.push_back(std::move(spec));
+  }
+  apply_settings(structures, settings);
+  if (!quality.empty()) {
+    if (std::find(quality_names.begin(), quality_names.end(), quality) == quality_names.end()) {
+      throw UsageError("unknown quality '" + quality + "'; expected fast, balanced or best");
+    }
+    for (AcceleratorSpec& spec : structures) set_quality(spec, quality);
+  }
+  for (std::size_t i = 0; i < structures.size(); ++i) {
+    check_accelerator(structures[i]);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (structures[j].label == structures[i].label) {
+        throw UsageError("--accel names " + structures[i].label + " twice");
+      }
+    }
+  }
+  return structures;
+}
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
@@ -288,7 +287,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   }
   if (rounds_option->count() > 0) plan.rounds = rounds;
   plan.data_dir = data_dir;
-  if (!levels.empty()) plan.levels = parse_levels(levels);
+  if (!levels.empty()) plan.levels = parse_triangle_levels(levels);
   if (!peers.empty()) plan.peers = parse_peers(peers);
   if (!workloads.empty()) plan.workloads = parse_workloads(workloads);
   if (accelerators.empty()) {
@@ -301,7 +300,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   }
   if (!plan.growth.empty() && !line.google_flags.empty()) throw UsageError("--growth takes no flags after --");
   check_contenders(plan);
-  if (line.json == "-") throw UsageError("--json takes a file; standard output has the table");
+  check_json(line.json);
   return line;
 }
 

@@ -25,4 +25,13 @@ struct CommandLine {
 /// at.
 CommandLine parse_command_line(int argc, const char* const* argv);
 
+/// Levels that tracing triangles knows, the strictest first. \throws UsageError
+std::vector<Level> parse_triangle_levels(const std::vector<std::string>& names);
+
+/// Structures as command lines name them, each once, with --set behind what they say themselves; a quality goes to
+/// those that have one. \throws std::invalid_argument, UsageError
+std::vector<AcceleratorSpec> parse_structures(const std::vector<std::string>& texts,
+                                              const std::vector<std::string>& settings,
+                                              const std::string& quality = {});
+
 }  // namespace sightline::bench

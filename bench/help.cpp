@@ -45,6 +45,7 @@ Examples:
   sightline-bench --scene sticks               where boxes collapse
   sightline-bench --growth soup                exponents of time against triangles
   sightline-bench solids --help                solids beside POV-Ray
+  sightline-bench instances --help             two levels beside Embree's instances
   sightline-bench torus --help                 roots of tori beside Ferrari's closed form
   sightline-bench -- --benchmark_filter=bih    flags of Google Benchmark
 

@@ -7,6 +7,7 @@
 #include "bench/bars.h"
 #include "bench/command_line.h"
 #include "bench/growth.h"
+#include "bench/instances/run.h"
 #include "bench/json.h"
 #include "bench/noise/run.h"
 #include "bench/rounds.h"
@@ -54,7 +55,6 @@ int run(const CommandLine& line) {
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
-  if (!line.json.empty()) OutputFile{line.json};  // refuses now what could not be written at the end
 
   Progress progress;
   Report report{this_machine(), line.plan, {}};
@@ -94,6 +94,7 @@ int main(int argc, char** argv) {
   using namespace sightline::bench;
   try {
     if (argc > 1 && std::string_view(argv[1]) == "solids") return run_solids_command(argc - 1, argv + 1);
+    if (argc > 1 && std::string_view(argv[1]) == "instances") return run_instances_command(argc - 1, argv + 1);
     if (argc > 1 && std::string_view(argv[1]) == "noise") return run_noise_command(argc - 1, argv + 1);
     if (argc > 1 && std::string_view(argv[1]) == "torus") return run_torus_command(argc - 1, argv + 1);
     const CommandLine line = parse_command_line(argc, argv);

@@ -1,13 +1,44 @@
 #include "bench/subcommand.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 
 #include "bench/command_line.h"
 #include "bench/text_table.h"
+#include "sightline/io/output_file.h"
 
 namespace sightline::bench {
+
+std::string parse_or_help(CLI::App& app, int argc, const char* const* argv, std::string_view reading) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return app.help() + std::string(reading);
+  } catch (const CLI::ParseError& error) {
+    std::string text = error.what();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    throw UsageError(text);
+  }
+  return {};
+}
+
+void check_json(const std::string& path) {
+  if (path == "-") throw UsageError("--json takes a file; standard output has the table");
+  if (!path.empty()) OutputFile{path};
+}
+
+std::string machine_text(const Machine& machine, const std::string& beside) {
+  std::string text = "Sightline " + machine.sightline_version + beside + ", on " + machine.processor + " (" +
+                     plural(machine.hardware_threads, "hardware thread") + ")\n" + machine.compiler + ' ' +
+                     machine.flags + '\n';
+  if (machine.has_assertions) text += "Assertions are on in this build: its times say little.\n";
+  if (machine.load >= 0.5 * machine.hardware_threads) {
+    text += "Other programs are running (load " + number_text(machine.load, 2) + "): expect wide intervals.\n";
+  }
+  return text;
+}
 
 std::vector<Level> parse_levels(const std::vector<std::string>& names) {
   std::vector<Level> levels;

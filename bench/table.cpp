@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/prices.h"
+#include "bench/subcommand.h"
 #include "bench/text_table.h"
 
 namespace sightline::bench {
@@ -178,13 +179,7 @@ std::string oddities_note(const SceneReport& scene, const Plan& plan) {
 }  // namespace
 
 std::string head_text(const Machine& machine, const Plan& plan) {
-  std::string text = "Sightline " + machine.sightline_version + " beside Embree " + machine.embree_version + ", on " +
-                     machine.processor + " (" + plural(machine.hardware_threads, "hardware thread") + ")\n" +
-                     machine.compiler + ' ' + machine.flags + '\n';
-  if (machine.has_assertions) text += "Assertions are on in this build: its times say little.\n";
-  if (machine.load >= 0.5 * machine.hardware_threads) {
-    text += "Other programs are running (load " + number_text(machine.load, 2) + "): expect wide intervals.\n";
-  }
+  std::string text = machine_text(machine, " beside Embree " + machine.embree_version);
   text +=
       "\nMrays/s  million rays a second, one by one on one thread; (0.25x): a quarter of Embree's speed, paired by "
       "round\n"

@@ -42,27 +42,21 @@ int run_noise_command(int argc, const char* const* argv) {
   app.add_flag("--quick", is_quick, "Shorter and fewer rounds");
   app.add_option("--json", plan.json, "Writes everything that was measured into FILE")->type_name("FILE");
   app.add_flag("--self-check", plan.is_spoiled, "Makes one value of a batch wrong: the run has to refuse");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    std::string text = app.help() + "\nPeers:\n";
-    for (const NoisePeer& peer : noise_peers()) {
-      text += "  " + std::string(peer.name) + ": " + std::string(peer.description) +
-              (peer.values ? "" : " (not in this build; install " + std::string(peer.package) + ')') + '\n';
-    }
-    print(text + reading_text);
+  std::string peers = "\nPeers:\n";
+  for (const NoisePeer& peer : noise_peers()) {
+    peers += "  " + std::string(peer.name) + ": " + std::string(peer.description) +
+             (peer.values ? "" : " (not in this build; install " + std::string(peer.package) + ')') + '\n';
+  }
+  const std::string help = parse_or_help(app, argc, argv, peers + std::string(reading_text));
+  if (!help.empty()) {
+    print(help);
     return 0;
-  } catch (const CLI::ParseError& error) {
-    std::string text = error.what();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    throw UsageError(text);
   }
   if (is_quick) {
     plan.slot_seconds = 0.001;
     if (rounds->count() == 0) plan.rounds = 5;
   }
-  if (plan.json == "-") throw UsageError("--json takes a file; standard output has the table");
-  if (!plan.json.empty()) OutputFile{plan.json};  // refuses now what could not be written at the end
+  check_json(plan.json);
   Progress progress;
   const NoiseReport report = run_noise(plan, progress);
   print(text_of(report));

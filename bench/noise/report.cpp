@@ -3,6 +3,7 @@
 
 #include "bench/json.h"
 #include "bench/noise/run.h"
+#include "bench/subcommand.h"
 #include "bench/text_table.h"
 
 namespace sightline::bench {
@@ -58,14 +59,7 @@ std::string table_text(const NoiseReport& report, const std::string& name) {
 }  // namespace
 
 std::string text_of(const NoiseReport& report) {
-  const Machine& machine = report.machine;
-  std::string text = "Sightline " + machine.sightline_version + ", on " + machine.processor + " (" +
-                     plural(machine.hardware_threads, "hardware thread") + ")\n" + machine.compiler + ' ' +
-                     machine.flags + '\n';
-  if (machine.has_assertions) text += "Assertions are on in this build: its times say little.\n";
-  if (machine.load >= 0.5 * machine.hardware_threads) {
-    text += "Other programs are running (load " + number_text(machine.load, 2) + "): expect wide intervals.\n";
-  }
+  std::string text = machine_text(report.machine);
   for (const std::string& package : report.missing) {
     text += "Without a peer, for which 'apt-get install " + package + "' and configuring anew.\n";
   }

@@ -1,85 +1,20 @@
 #include "bench/peers/embree.h"
 
-#include <embree3/rtcore.h>
-
-#include <atomic>
 #include <limits>
-#include <stdexcept>
 #include <vector>
+
+#include "bench/peers/embree_device.h"
 
 namespace sightline::bench {
 namespace {
 
-/// One device, which lives as long as anything built with it; it counts the bytes that Embree holds.
-class Device {
- public:
-  explicit Device(int threads) {
-    const std::string config = threads > 0 ? "threads=" + std::to_string(threads) : std::string();
-    device_ = rtcNewDevice(config.c_str());
-    if (!device_) throw std::runtime_error("Embree: no device (error " + error_text(nullptr) + ")");
-    rtcSetDeviceMemoryMonitorFunction(device_, count, &bytes_);
-  }
-  ~Device() { rtcReleaseDevice(device_); }
-  Device(const Device&) = delete;
-  Device& operator=(const Device&) = delete;
-
-  RTCDevice get() const { return device_; }
-  std::size_t bytes() const { return static_cast<std::size_t>(bytes_.load()); }
-
-  void check(const char* step) const {
-    const std::string error = error_text(device_);
-    if (!error.empty()) throw std::runtime_error(std::string("Embree: ") + step + " failed (error " + error + ")");
-  }
-
- private:
-  static std::string error_text(RTCDevice device) {
-    const RTCError error = rtcGetDeviceError(device);
-    return error == RTC_ERROR_NONE ? std::string() : std::to_string(static_cast<int>(error));
-  }
-  static bool count(void* bytes, ssize_t change, bool) {
-    static_cast<std::atomic<std::int64_t>*>(bytes)->fetch_add(change);
-    return true;
-  }
-
-  RTCDevice device_ = nullptr;
-  std::atomic<std::int64_t> bytes_ = 0;
-};
-
-RTCRay to_embree(const Ray<float>& ray) {
-  RTCRay out;
-  out.org_x = ray.origin.x;
-  out.org_y = ray.origin.y;
-  out.org_z = ray.origin.z;
-  out.tnear = ray.t_min;
-  out.dir_x = ray.direction.x;
-  out.dir_y = ray.direction.y;
-  out.dir_z = ray.direction.z;
-  out.time = 0;
-  out.tfar = ray.t_max;
-  out.mask = 0xffff'ffff;
-  out.id = 0;
-  out.flags = 0;
-  return out;
-}
-
 class BuiltEmbree final : public Built {
  public:
-  BuiltEmbree(std::shared_ptr<Device> device, EmbreeMode mode, const TriangleMesh& mesh)
+  BuiltEmbree(std::shared_ptr<EmbreeDevice> device, EmbreeMode mode, const TriangleMesh& mesh)
       : device_(std::move(device)), bytes_before_(device_->bytes()), scene_(rtcNewScene(device_->get())) {
     if (mode == EmbreeMode::robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene_, mode == EmbreeMode::high ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM);
-    const RTCGeometry geometry = rtcNewGeometry(device_->get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    // Embree reads 16 bytes of every vertex, so the mesh's own array ends too early for it.
-    positions_.reserve(mesh.positions().size() + 2);
-    positions_ = mesh.positions();
-    positions_.resize(mesh.positions().size() + 2);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions_.data(), 0,
-                               sizeof(Vec3f), mesh.positions().size());
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles().data(), 0,
-                               sizeof(TriangleMesh::Corners), mesh.triangles().size());
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_, geometry);
-    rtcReleaseGeometry(geometry);
+    positions_ = attach_mesh(*device_, scene_, mesh);
     rtcCommitScene(scene_);
     device_->check("building");
     bytes_ = device_->bytes() - bytes_before_;
@@ -115,7 +50,7 @@ class BuiltEmbree final : public Built {
   Bytes bytes() const override { return {bytes_, std::nullopt}; }
 
  private:
-  std::shared_ptr<Device> device_;
+  std::shared_ptr<EmbreeDevice> device_;
   std::size_t bytes_before_, bytes_ = 0;
   RTCScene scene_;
   std::vector<Vec3f> positions_;
@@ -123,7 +58,7 @@ class BuiltEmbree final : public Built {
 
 class Embree final : public Contender {
  public:
-  Embree(EmbreeMode mode, int threads) : mode_(mode), device_(std::make_shared<Device>(threads)) {}
+  Embree(EmbreeMode mode, int threads) : mode_(mode), device_(std::make_shared<EmbreeDevice>(threads)) {}
 
   std::string name() const override {
     switch (mode_) {
@@ -143,7 +78,7 @@ class Embree final : public Contender {
 
  private:
   EmbreeMode mode_;
-  std::shared_ptr<Device> device_;
+  std::shared_ptr<EmbreeDevice> device_;
 };
 
 }  // namespace

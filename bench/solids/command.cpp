@@ -83,15 +83,8 @@ std::string parse(int argc, const char* const* argv, SolidPlan& plan) {
   app.add_option("--json", plan.json, "Writes everything that was measured into FILE")->type_name("FILE");
   app.add_option("--self-check", plan.spoiled, "Makes one pixel of line NAME wrong: the run has to refuse")
       ->type_name("NAME");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    return app.help() + option_list() + std::string(reading_text);
-  } catch (const CLI::ParseError& error) {
-    std::string text = error.what();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    throw UsageError(text);
-  }
+  std::string help = parse_or_help(app, argc, argv, option_list() + std::string(reading_text));
+  if (!help.empty()) return help;
   if (is_quick) {
     plan.width /= 2, plan.height /= 2;
     if (rounds->count() == 0) plan.rounds = 3;
@@ -112,7 +105,6 @@ std::string parse(int argc, const char* const* argv, SolidPlan& plan) {
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
-  if (plan.json == "-") throw UsageError("--json takes a file; standard output has the table");
   if (!plan.spoiled.empty()) {
     std::vector<std::string> names;
     for (const SolidAsking& asking : askings_of(plan)) names.push_back(asking.name);
@@ -130,7 +122,7 @@ int run_solids_command(int argc, const char* const* argv) {
     print(help);
     return 0;
   }
-  if (!plan.json.empty()) OutputFile{plan.json};  // refuses now what could not be written at the end
+  check_json(plan.json);
   Progress progress;
   bool is_first = true;
   const SolidReport report = run_solids(plan, progress, [&](const SolidReport& so_far, const SolidSceneReport& scene) {

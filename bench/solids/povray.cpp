@@ -80,10 +80,7 @@ Picture picture_of(const std::string& bytes) {
 }  // namespace
 
 Povray::Povray()
-    : folder_(std::make_unique<ScratchFolder>()),
-      source_(folder_->file("scene.pov")),
-      log_(folder_->file("log")),
-      picture_(folder_->file("picture.ppm")) {}
+    : source_(folder_.path() / "scene.pov"), log_(folder_.path() / "log"), picture_(folder_.path() / "picture.ppm") {}
 
 std::optional<Povray> Povray::find() {
   Povray povray;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -35,7 +34,7 @@ class Povray {
   Povray();
   std::string run(const SolidScene& scene, const std::string& output);
 
-  std::unique_ptr<ScratchFolder> folder_;
+  ScratchFolder folder_{{"scene.pov", "log", "picture.ppm"}};
   std::filesystem::path source_, log_, picture_;  ///< In that folder.
   std::string version_;
 };

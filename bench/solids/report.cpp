@@ -3,6 +3,7 @@
 #include "bench/json.h"
 #include "bench/solids/povray.h"
 #include "bench/solids/run.h"
+#include "bench/subcommand.h"
 #include "bench/text_table.h"
 
 namespace sightline::bench {
@@ -52,15 +53,8 @@ std::string per_ray(std::uint64_t count, std::uint64_t rays) {
 }  // namespace
 
 std::string head_text(const SolidReport& report) {
-  const Machine& machine = report.machine;
-  std::string text = "Sightline " + machine.sightline_version;
-  text += report.povray_version.empty() ? "" : " beside POV-Ray " + report.povray_version;
-  text += ", on " + machine.processor + " (" + plural(machine.hardware_threads, "hardware thread") + ")\n" +
-          machine.compiler + ' ' + machine.flags + '\n';
-  if (machine.has_assertions) text += "Assertions are on in this build: its times say little.\n";
-  if (machine.load >= 0.5 * machine.hardware_threads) {
-    text += "Other programs are running (load " + number_text(machine.load, 2) + "): expect wide intervals.\n";
-  }
+  std::string text =
+      machine_text(report.machine, report.povray_version.empty() ? "" : " beside POV-Ray " + report.povray_version);
   if (report.povray_version.empty()) {
     text += report.plan.has_povray ? "Without POV-Ray, which 'apt-get install povray' gets.\n" : "";
   } else {

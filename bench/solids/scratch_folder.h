@@ -1,24 +1,26 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "sightline/io/leftovers.h"
 
 namespace sightline::bench {
 
-/// A folder for files that nobody needs afterwards. It goes with this object, and as well where Ctrl-C or the end of
-/// the session ends the program. One at a time.
+/// A folder for files that nobody needs afterwards. It goes with this object, and as well where a signal ends the
+/// program (io/leftovers.h).
 class ScratchFolder {
  public:
-  /// \throws std::runtime_error where none can be made.
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  /// All that may be in it. \throws std::runtime_error where none can be made.
+  explicit ScratchFolder(const std::vector<std::string_view>& names);
 
-  /// Of a file in it, of which there may be four.
-  std::filesystem::path file(const char* name);
+  const std::filesystem::path& path() const { return path_; }
 
  private:
   std::filesystem::path path_;
+  std::unique_ptr<Leftovers> leftovers_;
 };
 
 }  // namespace sightline::bench

@@ -47,15 +47,8 @@ std::string parse(int argc, const char* const* argv, TorusPlan& plan) {
   app.add_flag("--quick", is_quick, "Fewer rays and rounds");
   app.add_option("--json", plan.json, "Writes everything that was measured into FILE")->type_name("FILE");
   app.add_option("--self-check", plan.spoiled, "Makes line NAME lose a root: the run has to refuse")->type_name("NAME");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    return app.help() + std::string(reading_text);
-  } catch (const CLI::ParseError& error) {
-    std::string text = error.what();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    throw UsageError(text);
-  }
+  std::string help = parse_or_help(app, argc, argv, reading_text);
+  if (!help.empty()) return help;
   if (is_quick && rays->count() == 0) plan.rays = 4000;
   if (is_quick && rounds->count() == 0) plan.rounds = 5;
   for (const double minor : minors) {
@@ -64,7 +57,6 @@ std::string parse(int argc, const char* const* argv, TorusPlan& plan) {
   }
   if (!minors.empty()) plan.minors = minors;
   if (!levels.empty()) plan.levels = parse_levels(levels);
-  if (plan.json == "-") throw UsageError("--json takes a file; standard output has the table");
   if (!plan.spoiled.empty()) {
     std::vector<std::string> names;
     for (const Level level : plan.levels) {
@@ -84,7 +76,7 @@ int run_torus_command(int argc, const char* const* argv) {
     print(help);
     return 0;
   }
-  if (!plan.json.empty()) OutputFile{plan.json};  // refuses now what could not be written at the end
+  check_json(plan.json);
   Progress progress;
   bool is_first = true;
   const TorusReport report = run_torus(plan, progress, [&](const TorusReport& so_far, const TorusReportPart& part) {

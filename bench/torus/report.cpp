@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/json.h"
+#include "bench/subcommand.h"
 #include "bench/text_table.h"
 #include "bench/torus/run.h"
 
@@ -26,15 +27,7 @@ std::string error_text(double error) {
 }  // namespace
 
 std::string head_text(const TorusReport& report) {
-  const Machine& machine = report.machine;
-  std::string text = "Sightline " + machine.sightline_version + " beside Ferrari's closed form, on " +
-                     machine.processor + " (" + plural(machine.hardware_threads, "hardware thread") + ")\n" +
-                     machine.compiler + ' ' + machine.flags + '\n';
-  if (machine.has_assertions) text += "Assertions are on in this build: its times say little.\n";
-  if (machine.load >= 0.5 * machine.hardware_threads) {
-    text += "Other programs are running (load " + number_text(machine.load, 2) + "): expect wide intervals.\n";
-  }
-  return text +
+  return machine_text(report.machine, " beside Ferrari's closed form") +
          "\nns/ray  one thread's processor time for all real roots of a ray's line\n"
          "times   this one's time over Ferrari's, paired by round\n"
          "wrong   rays with another number of real roots than exact numbers say\n"

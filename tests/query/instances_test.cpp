@@ -91,7 +91,7 @@ const Kind kinds[] = {
 
 std::vector<std::shared_ptr<const TriangleMesh>> meshes() {
   const auto share = [](TriangleMesh mesh) { return std::make_shared<const TriangleMesh>(std::move(mesh)); };
-  return {share(make_teapot(2)), share(make_lattice(60)), share(make_menger(1))};
+  return {share(make_teapot(2)), share(make_integers(60)), share(make_menger(1))};
 }
 
 std::shared_ptr<const Instances> some_instances(const Kind& kind, std::uint64_t seed, int count) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "sightline/io/file_error.h"
+#include "sightline/scene/flatten.h"
 #include "sightline/scene/procedural.h"
 
 namespace sightline {
@@ -59,7 +60,30 @@ TEST(Scenes, KeepWhatMeshesPromise) {
   }
 }
 
+/// What is loaded for tools that need no nodes is what the nodes place.
+TEST(Scenes, AreNodesPlaced) {
+  for (const SceneInfo& info : scene_infos()) {
+    if (info.name == "dragon") continue;
+    const std::string name(info.name);
+    const Scene scene = make_scene(name, no_data);
+    const SceneInstances placed = instances_of(scene);
+    EXPECT_EQ(placed.solids_left_out, 0u);
+    EXPECT_LE(placed.instances.triangles(), 500'000u) << name;
+    EXPECT_EQ(fingerprint(placed.instances.flattened()), fingerprint(*load_scene(name, no_data))) << name;
+    for (const Geometry& geometry : scene.geometries) {
+      const MeshGeometry& mesh = std::get<MeshGeometry>(geometry.shape);
+      EXPECT_TRUE(mesh.normals.empty() || mesh.normals.size() == mesh.mesh->positions().size()) << name;
+    }
+  }
+  EXPECT_EQ(make_scene("soup", no_data).graph.size(), 2u);
+  EXPECT_THROW(make_scene("kettle", no_data), std::invalid_argument);
+  EXPECT_THROW(make_scene("balls:6", no_data), std::invalid_argument);
+  EXPECT_THROW(make_scene("kettle.obj", no_data), FileError);
+}
+
 TEST(Scenes, AreTheSameOnEveryMachine) {
+  EXPECT_EQ(fingerprint(*load_scene("tetra:4", no_data)), 9464107670728130085u);
+  EXPECT_EQ(fingerprint(*load_scene("levels:5", no_data)), 13071781447416238315u);
   EXPECT_EQ(fingerprint(*load_scene("soup:1000", no_data)), 8511394594318653203u);
   EXPECT_EQ(fingerprint(*load_scene("terrain:16", no_data)), 5205726892330826481u);
   EXPECT_EQ(fingerprint(*load_scene("sphere-flake:2", no_data)), 17357004014233903766u);
@@ -67,7 +91,7 @@ TEST(Scenes, AreTheSameOnEveryMachine) {
 }
 
 TEST(Scenes, SizesCount) {
-  for (const char* name : {"soup", "sticks", "lattice", "flat", "copies"}) {
+  for (const char* name : {"soup", "sticks", "integers", "flat", "copies"}) {
     EXPECT_EQ(load_scene(std::string(name) + ":77", no_data)->size(), 77u);
   }
   EXPECT_EQ(load_scene("terrain:9", no_data)->size(), 2u * 81);
@@ -79,9 +103,9 @@ TEST(Scenes, SizesCount) {
 }
 
 TEST(Scenes, AreWhatTheirNamesSay) {
-  const auto flat = load_scene("flat", no_data), lattice = load_scene("lattice", no_data);
+  const auto flat = load_scene("flat", no_data), integers = load_scene("integers", no_data);
   for (const Vec3f& p : flat->positions()) EXPECT_EQ(p.z, 0);
-  for (const Vec3f& p : lattice->positions()) EXPECT_EQ(p, glm::floor(p));
+  for (const Vec3f& p : integers->positions()) EXPECT_EQ(p, glm::floor(p));
   const auto copies = load_scene("copies:5", no_data);
   for (const auto& triangle : copies->triangles()) EXPECT_EQ(triangle, copies->triangles()[0]);
   // The stadium is some hundred times as wide as the teapot in it, which has nearly all of the triangles.

@@ -1,14 +1,11 @@
 #include "sightline/io/output_file.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <sys/vfs.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <cerrno>
 #include <climits>
 #include <cstdio>
@@ -20,6 +17,7 @@
 #include <vector>
 
 #include "sightline/io/file_error.h"
+#include "sightline/io/leftovers.h"
 
 namespace sightline {
 namespace {
@@ -81,85 +79,18 @@ std::filesystem::path temporary_beside(const std::filesystem::path& path, std::s
   return path.parent_path() / (stem + mark + extension);
 }
 
+/// Folders above a file that are not there yet, the innermost first.
+std::vector<std::filesystem::path> missing_folders(const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> folders;
+  std::error_code error;
+  for (auto folder = file.parent_path(); !folder.empty() && !std::filesystem::exists(folder, error) && !error;
+       folder = folder.parent_path()) {
+    folders.push_back(folder);
+  }
+  return folders;
+}
+
 }  // namespace
-
-// ---- What is not to stay
-
-/// Paths to remove when this is destroyed, or when a signal ends the program.
-///   L1  Complete before the table shows it to signal handlers, and never changed then.
-///   L2  Whoever takes it out of the table removes the paths; the other leaves it alone, for it may be gone.
-class OutputFile::Leftovers {
- public:
-  /// `file`, and those folders above it that are not there yet.
-  explicit Leftovers(const std::filesystem::path& file) : file_(file.string()), owner_(getpid()) {
-    std::error_code error;
-    for (auto folder = file.parent_path(); !folder.empty() && !std::filesystem::exists(folder, error) && !error;
-         folder = folder.parent_path()) {
-      folders_.push_back(folder.string());
-    }
-    watch_signals();
-    for (auto& place : table_) {
-      Leftovers* none = nullptr;
-      if (!place.compare_exchange_strong(none, this)) continue;
-      place_ = &place;
-      return;
-    }
-  }
-  ~Leftovers() {
-    Leftovers* mine = this;
-    const bool is_taken = place_ && !place_->compare_exchange_strong(mine, nullptr);
-    while (is_taken) pause();  // L2: this program ends
-    remove();
-  }
-  Leftovers(const Leftovers&) = delete;
-  Leftovers& operator=(const Leftovers&) = delete;
-
- private:
-  static constexpr std::size_t most = 64;  // at a time; more are removed by their destructors only
-  static std::array<std::atomic<Leftovers*>, most> table_;
-  static_assert(std::atomic<Leftovers*>::is_always_lock_free);
-
-  /// Only calls what signal handlers may call.
-  void remove() const {
-    unlink(file_.c_str());
-    for (const std::string& folder : folders_) rmdir(folder.c_str());  // the innermost first, and only empty ones
-  }
-
-  static void end_by_signal(int signal) {
-    for (auto& place : table_) {
-      const Leftovers* leftovers = place.exchange(nullptr);
-      // A fork has the table too, but the files are its parent's.
-      if (leftovers && leftovers->owner_ == getpid()) leftovers->remove();
-    }
-    sigset_t ended;
-    sigemptyset(&ended);
-    sigaddset(&ended, signal);
-    pthread_sigmask(SIG_UNBLOCK, &ended, nullptr);
-    raise(signal);        // its action is the default one by now
-    _exit(128 + signal);  // the first process of a container outlives that
-  }
-
-  static void watch_signals() {
-    constexpr std::array signals{SIGHUP, SIGINT, SIGPIPE, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
-    struct sigaction ending {};
-    ending.sa_handler = end_by_signal;
-    ending.sa_flags = static_cast<int>(SA_RESETHAND);
-    for (const int signal : signals) sigaddset(&ending.sa_mask, signal);
-    for (const int signal : signals) {
-      struct sigaction present {};
-      sigaction(signal, nullptr, &present);
-      const bool is_default = !(present.sa_flags & SA_SIGINFO) && present.sa_handler == SIG_DFL;
-      if (is_default) sigaction(signal, &ending, nullptr);
-    }
-  }
-
-  std::string file_;
-  std::vector<std::string> folders_;
-  pid_t owner_;
-  std::atomic<Leftovers*>* place_ = nullptr;
-};
-
-std::array<std::atomic<OutputFile::Leftovers*>, OutputFile::Leftovers::most> OutputFile::Leftovers::table_{};
 
 // ---- The file
 
@@ -177,7 +108,7 @@ OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
     return;
   }
   temporary_ = temporary_beside(target_, path_.extension().string());
-  leftovers_ = std::make_unique<Leftovers>(temporary_);
+  leftovers_ = std::make_unique<Leftovers>(std::vector{temporary_}, missing_folders(temporary_));
   if (target_.has_parent_path()) std::filesystem::create_directories(target_.parent_path(), error);
   if (error) throw FileError(target_.parent_path(), 0, "a folder that can be made", error.message());
   const int file = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, target.mode | S_IRUSR | S_IWUSR);

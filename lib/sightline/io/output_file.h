@@ -7,6 +7,8 @@
 
 namespace sightline {
 
+class Leftovers;
+
 /// A file under a temporary name in the folder of its final one, renamed by commit() and removed when that is not
 /// reached. The temporary name keeps the extension, because writers choose their format by it.
 ///   O1  Without commit() nothing is left: neither the file nor a folder made for it that is still empty. That also
@@ -30,8 +32,6 @@ class OutputFile {
   void commit();
 
  private:
-  class Leftovers;
-
   std::filesystem::path path_;
   std::filesystem::path target_;  ///< Where the symbolic links of path_ lead.
   std::filesystem::path temporary_;

@@ -66,7 +66,7 @@ TriangleMesh make_sticks(int triangles) {
   });
 }
 
-TriangleMesh make_lattice(int triangles) {
+TriangleMesh make_integers(int triangles) {
   return random_triangles(triangles, [](Random& random) {
     constexpr std::uint32_t side = 17, reach = 5;
     std::array<Vec3f, 3> corners;

@@ -22,7 +22,7 @@ TriangleMesh make_terrain(int cells);
 
 /// Random triangles with corners at whole numbers from 0 to 16: many share planes, edges and corners, some have no
 /// area.
-TriangleMesh make_lattice(int triangles);
+TriangleMesh make_integers(int triangles);
 
 /// Overlapping triangles in the plane z = 0, so that all boxes are flat and every ray across them has ties.
 TriangleMesh make_flat(int triangles);

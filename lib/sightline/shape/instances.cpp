@@ -80,19 +80,25 @@ float Instances::farthest(std::span<const Aabb> boxes, int axis, bool is_upper) 
   return sign * found;
 }
 
+std::string_view missing_of(const Placement& placement, const TriangleMesh& mesh) {
+  const Affine map = placement.to_world();
+  if (!is_finite(map)) return "a matrix of numbers that are finite in float";
+  if (sign_of_determinant(map) == 0) return "a matrix that can be inverted in float";
+  if (mesh.size() == 0) return "a mesh that has triangles";
+  const Aabb box = placement.bounds(mesh.bounds());
+  if (!is_finite(box.lo) || !is_finite(box.hi)) return "vertices within the range of float";
+  return {};
+}
+
 Instances::Instances(std::vector<std::shared_ptr<const TriangleMesh>> meshes, std::vector<Placement> placements)
     : meshes_(std::move(meshes)), placements_(std::move(placements)) {
   std::vector<Aabb> boxes(placements_.size());
   for (std::size_t i = 0; i < placements_.size(); ++i) {
     const Placement& placement = placements_[i];
     if (placement.mesh() >= meshes_.size()) refuse(i, "a mesh below " + std::to_string(meshes_.size()));
-    const Affine map = placement.to_world();
-    if (!is_finite(map)) refuse(i, "a matrix of numbers that are finite in float");
-    if (sign_of_determinant(map) == 0) refuse(i, "a matrix that can be inverted in float");
     const TriangleMesh& mesh = *meshes_[placement.mesh()];
-    if (mesh.size() == 0) refuse(i, "a mesh that has triangles");
+    if (const std::string_view missing = missing_of(placement, mesh); !missing.empty()) refuse(i, std::string(missing));
     boxes[i] = placement.bounds(mesh.bounds());
-    if (!is_finite(boxes[i].lo) || !is_finite(boxes[i].hi)) refuse(i, "vertices within the range of float");
     triangles_ += mesh.size();
   }
   for (int axis = 0; axis < 3; ++axis) {

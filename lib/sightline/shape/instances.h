@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,9 @@ class Placement {
   std::uint32_t is_mirroring_ : 1 = 0;
 };
 static_assert(sizeof(Placement) == 52);
+
+/// What a placement of a mesh lacks, such as "a matrix that can be inverted in float"; empty where it lacks nothing.
+std::string_view missing_of(const Placement& placement, const TriangleMesh& mesh);
 
 /// Immutable. Instances have the order of their placements, triangles of all instances that of instances first.
 class Instances {
