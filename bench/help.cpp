@@ -46,7 +46,9 @@ Examples:
   sightline-bench --growth soup                exponents of time against triangles
   sightline-bench solids --help                solids beside POV-Ray
   sightline-bench instances --help             two levels beside Embree's instances
+  sightline-bench moving --help                refitting beside building anew
   sightline-bench torus --help                 roots of tori beside Ferrari's closed form
+  sightline-bench graph --help                 scene graphs: places, bounds, updates
   sightline-bench -- --benchmark_filter=bih    flags of Google Benchmark
 
 Exit code: 0; 1 when a file cannot be read or written or hits are wrong; 2 when

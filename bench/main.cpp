@@ -6,9 +6,11 @@
 
 #include "bench/bars.h"
 #include "bench/command_line.h"
+#include "bench/graph/run.h"
 #include "bench/growth.h"
 #include "bench/instances/run.h"
 #include "bench/json.h"
+#include "bench/moving/run.h"
 #include "bench/noise/run.h"
 #include "bench/rounds.h"
 #include "bench/solids/run.h"
@@ -94,7 +96,9 @@ int main(int argc, char** argv) {
   using namespace sightline::bench;
   try {
     if (argc > 1 && std::string_view(argv[1]) == "solids") return run_solids_command(argc - 1, argv + 1);
+    if (argc > 1 && std::string_view(argv[1]) == "graph") return run_graph_command(argc - 1, argv + 1);
     if (argc > 1 && std::string_view(argv[1]) == "instances") return run_instances_command(argc - 1, argv + 1);
+    if (argc > 1 && std::string_view(argv[1]) == "moving") return run_moving_command(argc - 1, argv + 1);
     if (argc > 1 && std::string_view(argv[1]) == "noise") return run_noise_command(argc - 1, argv + 1);
     if (argc > 1 && std::string_view(argv[1]) == "torus") return run_torus_command(argc - 1, argv + 1);
     const CommandLine line = parse_command_line(argc, argv);

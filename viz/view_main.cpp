@@ -67,7 +67,7 @@ struct Arguments {
 int list() {
   std::cout << "accelerators\n";
   for (const AcceleratorInfo& info : accelerator_infos()) {
-    std::printf("  %-14s %s\n", std::string(info.name).c_str(), std::string(info.description).c_str());
+    std::printf("  %-15s %s\n", std::string(info.name).c_str(), std::string(info.description).c_str());
     for (const auto& option : info.options) {
       std::printf("      --set %s.%s=%s: %s (%s)\n", std::string(info.name).c_str(), std::string(option.name).c_str(),
                   option.default_value.c_str(), std::string(option.help).c_str(), option.allowed.c_str());
@@ -75,10 +75,10 @@ int list() {
   }
   std::printf("scenes\n");
   for (const SceneInfo& info : scene_infos()) {
-    std::printf("  %-14s %s\n", (std::string(info.name) + ":" + std::to_string(info.default_size)).c_str(),
+    std::printf("  %-15s %s\n", (std::string(info.name) + ":" + std::to_string(info.default_size)).c_str(),
                 std::string(info.description).c_str());
   }
-  std::printf("  %-14s %s\n", "FILE", "a mesh: OBJ, PLY, STL, OFF or glTF");
+  std::printf("  %-15s %s\n", "FILE", "a mesh: OBJ, PLY, STL, OFF or glTF");
   return success;
 }
 

@@ -67,6 +67,7 @@ std::string parse(int argc, const char* const* argv, SolidPlan& plan) {
       ->type_name("LEVELS")
       ->delimiter(',')
       ->allow_extra_args(false);
+  app.add_flag("--single", plan.has_single, "Beside them, rays one by one instead of in packets");
   app.add_flag("--ablation", plan.is_ablation, "Beside them, each switch of solids off in turn, and all");
   app.add_option("--set", settings, "An option of solids; repeatable")
       ->type_name("solid.OPTION=VALUE")

@@ -31,9 +31,9 @@ class Painter {
   virtual PaintStats count(const SolidScene& scene, Picture& picture) const = 0;
 };
 
-/// Names of the registry: what holds the solids, and what the operands of each large one.
-/// \throws std::invalid_argument
+/// Names of the registry: what holds the solids, and what the operands of each large one. Rays go in packets
+/// (packets.h) or one by one. \throws std::invalid_argument
 std::unique_ptr<Painter> make_painter(const SolidScene& scene, Level level, const SolidOptions& options,
-                                      std::string_view over_solids, std::string_view over_operands);
+                                      std::string_view over_solids, std::string_view over_operands, bool in_packets);
 
 }  // namespace sightline::bench

@@ -13,12 +13,14 @@ struct SolidAsking {
   std::string name;  ///< "watertight", or "watertight, use_bounds off".
   Level level = Level::watertight;
   SolidOptions options;
+  bool in_packets = true;  ///< Rays go in packets, where the structure takes those; else one by one.
 };
 
 struct SolidPlan {
   std::vector<std::string> scenes;  ///< Names of solid_scenes; all where empty.
   std::vector<Level> levels{Level::watertight};
   SolidOptions options;
+  bool has_single = false;   ///< Beside each level also rays one by one.
   bool is_ablation = false;  ///< Beside each level also every switch off, and all, at the first level.
   std::string accelerator;   ///< Empty for none around a single solid, and box-tree elsewhere.
   bool has_povray = true;    ///< Where it is installed.

@@ -66,9 +66,10 @@ class Stage {
     const std::string over_operands = is_given ? plan.accelerator : "box-tree";
     report_.accelerator = is_given ? plan.accelerator : over_solids;
     for (const SolidAsking& asking : askings_of(plan)) {
-      contenders_.push_back({asking,
-                             make_painter(scene, asking.level, asking.options, report_.accelerator, over_operands),
-                             Picture(plan.width, plan.height), 0});
+      contenders_.push_back(
+          {asking,
+           make_painter(scene, asking.level, asking.options, report_.accelerator, over_operands, asking.in_packets),
+           Picture(plan.width, plan.height), 0});
     }
   }
 
@@ -87,7 +88,7 @@ class Stage {
     }
     progress_.say(scene_.name, "verifying by exact lists of everything");
     Picture reference(plan_.width, plan_.height);
-    make_painter(scene_, Level::exact, without_switches(), "brute-force", "brute-force")
+    make_painter(scene_, Level::exact, without_switches(), "brute-force", "brute-force", false)
         ->paint(scene_, reference, plan_.reference_step);
     for (const Contender& contender : contenders_) {
       require_near(contender, reference, plan_.reference_step, "brute force without any switch");
@@ -180,7 +181,11 @@ class Stage {
 
 std::vector<SolidAsking> askings_of(const SolidPlan& plan) {
   std::vector<SolidAsking> askings;
-  for (const Level level : plan.levels) askings.push_back({std::string(info_of(level).name), level, plan.options});
+  for (const Level level : plan.levels) {
+    const std::string name(info_of(level).name);
+    askings.push_back({name, level, plan.options, true});
+    if (plan.has_single) askings.push_back({name + " single", level, plan.options, false});
+  }
   if (!plan.is_ablation) return askings;
   const SolidAsking whole = askings.front();
   for (const auto& field : SolidOptions::fields()) {

@@ -118,7 +118,7 @@ solids=(solids --quick --rounds 1)
 run "$bench" solids --help
 expect_exit 0
 expect_quiet
-for word in --precision --ablation --accel widget cheese:256 solid.use_bounds povray; do expect_prints "$word"; done
+for word in --precision --single --ablation --accel widget cheese:256 solid.use_bounds povray; do expect_prints "$word"; done
 refuses 2 'unknown scene' "$bench" solids --scene no-such-scene
 refuses 2 cheese:16 "$bench" solids --scene cheese:17 # the message lists what there is
 refuses 2 'unknown level' "$bench" solids --precision no-such-level
@@ -144,6 +144,9 @@ run "$bench" "${solids[@]}" --scene cheese:1 --scene cheese:16 --scene cheese:4 
 expect_exit 0
 for word in 'exact, use_bounds off' 'exact, all off' 'fast ' exponent 'solid in kd-tree'; do expect_prints "$word"; done
 check 'exponents in the JSON file' grep -q '"exponent"' "$work/out.json"
+run "$bench" "${solids[@]}" --scene widgets --peer none --single
+expect_exit 0
+for word in 'watertight ' 'watertight single' '64 solids in bih'; do expect_prints "$word"; done
 run "$bench" "${solids[@]}" --scene widget --peer none --precision watertight,exact --self-check exact --json out.json
 expect_exit 1
 expect_one_line
@@ -178,6 +181,28 @@ expect_one_line
 expect_says 'is wrong, so no times are shown'
 expect_no_file
 
+# ---- Scene graphs
+
+run "$bench" graph --help
+expect_exit 0
+expect_quiet
+for word in --rounds --quick --json --self-check cylinders; do expect_prints "$word"; done
+refuses 2 rounds "$bench" graph --rounds 0
+refuses 2 stray "$bench" graph stray
+refuses 2 table "$bench" graph --json -
+refuses 1 /dev/null "$bench" graph --json /dev/null/out.json
+run "$bench" graph --quick --rounds 1 --json out.json
+expect_exit 0
+for word in 'cached, root moves' 'depth 256' 'in vain' cylinder teapots 'one leaf' '10,000 nodes, sphere'; do
+  expect_prints "$word"
+done
+check 'times in the JSON file' grep -q '"speed_over_first"' "$work/out.json"
+run "$bench" graph --quick --rounds 1 --self-check --json out.json
+expect_exit 1
+expect_one_line
+expect_says 'box is wrong, so no times are shown'
+expect_no_file
+
 # ---- Tori
 
 torus=(torus --quick --rays 200 --rounds 3)
@@ -207,5 +232,64 @@ run "$bench" "${torus[@]}" --minor 0.25 --precision exact --self-check exact --j
 expect_exit 1
 expect_one_line
 expect_says 'exact is wrong'
+expect_no_file
+
+# ---- Instances, and scenes that move
+
+instances=(instances --quick --count 200 --rays 200 --rounds 2)
+run "$bench" instances --help
+expect_exit 0
+expect_quiet
+for word in --count --accel --lower --rays --json Embree; do expect_prints "$word"; done
+refuses 2 count "$bench" instances --count 0
+refuses 2 count "$bench" instances --count many
+refuses 2 rays "$bench" instances --rays 5
+refuses 2 no-such-tree "$bench" instances --accel no-such-tree
+refuses 2 no-such-tree "$bench" instances --lower no-such-tree
+refuses 2 'one structure' "$bench" instances --lower kd-tree,bih
+refuses 2 twice "$bench" instances --accel kd-tree,kd-tree
+refuses 2 'one level' "$bench" instances --precision fast,watertight
+refuses 2 'unknown level' "$bench" instances --precision exact
+refuses 2 kettle "$bench" instances --scene kettle
+refuses 2 stray "$bench" instances stray
+refuses 2 table "$bench" instances --json -
+refuses 2 'unknown line' "$bench" instances --self-check embree # which may round otherwise
+refuses 1 none.ply "$bench" instances --scene none.ply
+refuses 1 /dev/null "$bench" instances --json /dev/null/out.json
+run "$bench" "${instances[@]}" --json out.json
+expect_exit 0
+for word in 'box-tree  ' 'kd-tree  ' 'embree  ' resident camera inside; do expect_prints "$word"; done
+check 'memory in the JSON file' grep -q '"resident_bytes"' "$work/out.json"
+run "$bench" "${instances[@]}" --accel bih --lower kd-tree --scene soup:300 --precision fast
+expect_exit 0
+expect_prints 'its mesh and kd-tree'
+rm -f "$work/out.json"
+run "$bench" "${instances[@]}" --accel kd-tree,bih --self-check bih --json out.json
+expect_exit 1
+expect_one_line
+expect_says 'bih is wrong'
+expect_no_file
+
+moving=(moving --levels 4 --frames 5)
+run "$bench" moving --help
+expect_exit 0
+expect_quiet
+for word in --levels --frames --accel --json renderLevel; do expect_prints "$word"; done
+refuses 2 levels "$bench" moving --levels 1
+refuses 2 frames "$bench" moving --frames 0
+refuses 2 'can be refitted' "$bench" moving --accel kd-tree
+refuses 2 stray "$bench" moving stray
+refuses 2 table "$bench" moving --json -
+refuses 2 'unknown line' "$bench" moving --self-check kd-tree
+refuses 1 /dev/null "$bench" moving --json /dev/null/out.json
+run "$bench" "${moving[@]}" --json out.json
+expect_exit 0
+for word in 'box-tree ' 'wide-tree ' 'bih ' '15 spheres' refitted; do expect_prints "$word"; done
+check 'ratios in the JSON file' grep -q '"build_over_refit"' "$work/out.json"
+rm -f "$work/out.json"
+run "$bench" "${moving[@]}" --self-check bih --json out.json
+expect_exit 1
+expect_one_line
+expect_says 'bih is wrong'
 expect_no_file
 finish

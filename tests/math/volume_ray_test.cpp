@@ -229,6 +229,23 @@ TYPED_TEST(VolumeLaws, ExtentsHoldEveryPoint) {
   EXPECT_GT(held, 500);
 }
 
+/// The ends of extents are corners, where each rounding counts.
+TEST(VolumeOverlap, ExtentsHoldTheCornersOfBoxes) {
+  Dice dice{Random(5)};
+  for (int round = 0; round < 1000; ++round) {
+    const Vec3f a(dice.random.uniform(), dice.random.uniform(), dice.random.uniform());
+    const Aabb box{-a, a * 3.0f};
+    const Vec3d from(dice.vector(5)), normal = glm::normalize(Vec3d(dice.vector(4)) + Vec3d(0.1));
+    const Interval<double> extent = extent_along(box, normal, from);
+    for (int i = 0; i < 8; ++i) {
+      const Vec3f corner(i & 1 ? box.lo.x : box.hi.x, i & 2 ? box.lo.y : box.hi.y, i & 4 ? box.lo.z : box.hi.z);
+      const Rational along = dot(exact::minus(exact::point(corner), exact::point(from)), exact::point(normal));
+      ASSERT_LE(Rational(extent.lo), along);
+      ASSERT_GE(Rational(extent.hi), along);
+    }
+  }
+}
+
 /// Spheres are parted exactly where they are apart by more than rounding.
 TEST(VolumeOverlap, SpheresThatTouchOverlap) {
   EXPECT_TRUE(may_overlap(Sphere{{0, 0, 0}, 2}, Sphere{{3, 4, 0}, 3}));

@@ -99,6 +99,18 @@ TEST(Databases, HaveHisLightsAndCameras) {
   }
 }
 
+TEST(Databases, StandUpright) {
+  const std::map<std::string, std::pair<float, float>> heights{{"balls:1", {-0.5f, 0.5f + 1.0f / 3 * 0.9f}},
+                                                               {"gears:2", {0, 1}},
+                                                               {"teapot-board:4", {0, 3.15f}},
+                                                               {"tree:9", {0, 3}}};
+  for (const auto& [spec, height] : heights) {
+    const Aabb bounds = instances_of(make(spec)).instances.bounds();
+    EXPECT_NEAR(bounds.lo.y, height.first, 1e-6) << spec;
+    EXPECT_NEAR(bounds.hi.y, height.second, 0.1) << spec;
+  }
+}
+
 /// How many of 513 * 513 rays through the corners of the pixels hit something.
 long hits_of(const std::string& spec) {
   const Scene scene = make(spec);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "sightline/accel/accelerator.h"
@@ -11,6 +12,7 @@
 #include "sightline/accel/bounding_interval_hierarchy_node.h"
 #include "sightline/accel/large_pages.h"
 #include "sightline/accel/padded_ray.h"
+#include "sightline/accel/ray_packet.h"
 
 namespace sightline {
 
@@ -66,7 +68,16 @@ class BoundingIntervalHierarchy {
   bool is_order_final() const { return !lazy_; }
 
   template <class T, LeafVisitor<T> Visit, class Probe>
-  void traverse(const Ray<T>& ray, Visit&& visit, Probe& probe) const;
+  void traverse(const Ray<T>& ray, Visit&& visit, Probe& probe) const {
+    if (!order_.empty()) walk(PaddedRay<T>(ray, bounds_), visit, probe);
+  }
+
+  /// All leaves that any ray of a packet meets; the far limit is that of all. Made with bounds(), and coherent.
+  template <class T, LeafVisitor<T> Visit, class Probe>
+  void traverse(const RayPacket<T>& rays, Visit&& visit, Probe& probe) const {
+    if (!order_.empty()) walk(rays, visit, probe);
+  }
+  const Aabb& bounds() const { return bounds_; }
 
   /// Children before siblings. What a lazy tree has not divided yet shows as a leaf.
   template <class See>
@@ -80,6 +91,8 @@ class BoundingIntervalHierarchy {
   using Node = detail::BihNode;
   static_assert(sizeof(Node) == node_bytes);
 
+  template <class Padded, class Visit, class Probe>
+  void walk(const Padded& padded, Visit& visit, Probe& probe) const;
   void copy(const Node* from, std::size_t source, std::size_t target);
   template <class See>
   void show(See& see, std::uint32_t number, const Aabb& region, int depth) const;
@@ -161,23 +174,18 @@ inline std::size_t BoundingIntervalHierarchy::memory_bytes() const {
 
 // ---- Traversal
 
-template <class T, LeafVisitor<T> Visit, class Probe>
-void BoundingIntervalHierarchy::traverse(const Ray<T>& ray, Visit&& visit, Probe& probe) const {
-  if (order_.empty()) return;
-  const PaddedRay<T> padded(ray, bounds_);
+/// Of a padded ray, or of a packet that is taken for one.
+template <class Padded, class Visit, class Probe>
+void BoundingIntervalHierarchy::walk(const Padded& padded, Visit& visit, Probe& probe) const {
+  using T = std::remove_cv_t<decltype(padded.t_max)>;
   T far = padded.t_max;
   const Interval<T> inside = padded.clip(bounds_, far);
   if (inside.is_empty()) return;
 
-  struct Axis {
-    T enter_origin, leave_origin, inverse;
-    T enter(float plane) const { return (plane - enter_origin) * inverse; }
-    T leave(float plane) const { return (plane - leave_origin) * inverse; }
-  };
-  Axis axes[3];
+  typename Padded::Axis axes[3];
   std::uint32_t downward = 0;  // a bit for each axis
   for (int axis = 0; axis < 3; ++axis) {
-    axes[axis] = {padded.enter_origin[axis], padded.leave_origin[axis], padded.inverse[axis]};
+    axes[axis] = padded.along(axis);
     downward |= static_cast<std::uint32_t>(padded.is_negative[axis]) << axis;
   }
   struct Entry {
@@ -195,7 +203,7 @@ void BoundingIntervalHierarchy::traverse(const Ray<T>& ray, Visit&& visit, Probe
       link = lazy_->require(node, link);
 
     // All four planes at once: their reads wait for each other, the arithmetic does not. NaN keeps what was.
-    const Axis &slab = axes[node.slab_axis()], &clip = axes[node.clip_axis()];
+    const auto &slab = axes[node.slab_axis()], &clip = axes[node.clip_axis()];
     const std::uint32_t slab_near = downward >> node.slab_axis() & 1, near = downward >> node.clip_axis() & 1;
     const T into = slab.enter(node.slab[slab_near]), out = slab.leave(node.slab[1 - slab_near]);
     const T enter = clip.enter(node.clip[1 - near]), leave = clip.leave(node.clip[near]);

@@ -74,12 +74,21 @@ struct PaddedRay {
     }
   }
 
+  /// What of the ray concerns one axis.
+  struct Axis {
+    T enter_origin, leave_origin, inverse;
+
+    T enter(float plane) const { return (plane - enter_origin) * inverse; }
+    T leave(float plane) const { return (plane - leave_origin) * inverse; }
+  };
+  Axis along(int axis) const { return {enter_origin[axis], leave_origin[axis], inverse[axis]}; }
+
   /// Where the padded ray first touches the half-space that lies behind `plane` along its direction. NaN when the ray
   /// is parallel to the plane and exactly a margin away: comparisons must be written so that NaN keeps the region.
-  T enter(int axis, float plane) const { return (plane - enter_origin[axis]) * inverse[axis]; }
+  T enter(int axis, float plane) const { return along(axis).enter(plane); }
 
   /// Where the padded ray last touches the half-space before `plane`. NaN as for enter.
-  T leave(int axis, float plane) const { return (plane - leave_origin[axis]) * inverse[axis]; }
+  T leave(int axis, float plane) const { return along(axis).leave(plane); }
 
   /// Parameters within [t_min, far] at which the padded ray is in the box (Ize 2013, with NaN-keeping order).
   Interval<T> clip(const Aabb& box, T far) const {

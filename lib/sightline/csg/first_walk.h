@@ -9,6 +9,7 @@
 #include "sightline/csg/refined_root.h"
 #include "sightline/csg/solid_probe.h"
 #include "sightline/csg/solid_ray.h"
+#include "sightline/math/rounding.h"
 
 namespace sightline {
 
@@ -29,6 +30,10 @@ template <Level level>
 double limit_slack(double t) {
   return (level == Level::fast ? 0x1p-16 : 0x1p-44) * std::fabs(t);
 }
+
+/// No t beyond it becomes `far`, or less, when it is rounded to the precision of that.
+inline double last_rounded_to(float far) { return next_up(far); }
+inline double last_rounded_to(double far) { return far; }
 
 /// Whether the boundary would be reported behind t.
 template <Level level>
@@ -81,7 +86,7 @@ template <class T, Level level, class Probe>
 WalkOutcome walk_any(const Solid& solid, const SolidRay<level>& ray, T t_min, T t_max, Probe& probe) {
   Boundary first;
   const WalkOutcome outcome =
-      detail::walk(solid, ray.quick(), static_cast<double>(t_min), static_cast<double>(t_max), probe, first);
+      detail::walk(solid, ray.quick(), static_cast<double>(t_min), last_rounded_to(t_max), probe, first);
   if (outcome != WalkOutcome::found) return outcome;
   // What is reported is no farther from the true one than this one is, and rounding keeps the order.
   const double known = 3 * first.radius;

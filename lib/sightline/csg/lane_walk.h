@@ -38,7 +38,7 @@ class LaneWalk {
   static double smaller(double a, double b) { return a < b ? a : b; }
 
   /// Of the plane of what is kept through which the ray enters along an axis, or leaves.
-  double passing(int axis, bool enters) const {
+  [[gnu::always_inline]] double passing(int axis, bool enters) const {
     const LaneRows<Real>& rows = lanes_.template rows<Real>();
     const bool is_upper = (ray_.inverse()[axis] > 0) != enters;
     return ray_.passing(axis, (is_upper ? rows.upper : rows.lower)[static_cast<std::size_t>(axis)]);

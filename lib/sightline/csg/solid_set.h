@@ -114,6 +114,13 @@ class SolidLeaves {
     return {ray, solids_.extent()};
   }
 
+  /// Of all solids of a leaf.
+  Aabb bounds(LeafRange leaf) const {
+    Aabb bounds;
+    for (const std::uint32_t id : order_.subspan(leaf.first, leaf.count)) bounds.extend(solids_.bounds(id));
+    return bounds;
+  }
+
   /// Calls see(id, crossing) for the first crossing of each solid in the ray's range and not beyond `far`, until it
   /// returns false.
   template <class T, class See>
@@ -160,7 +167,7 @@ class SolidLeaves {
     const SolidRay<level>& ready = ray.ready();
     double t_min = ray.ray().t_min;
     Boundary boundary;
-    while (is_found(solids_[id], ready, t_min, far, boundary)) {
+    while (is_found(solids_[id], ready, t_min, last_rounded_to(far), boundary)) {
       // Rounded to the ray's precision it may not be behind t_min any more.
       if (static_cast<T>(boundary.t) > ray.ray().t_min) return see(id, crossing_of(boundary));
       t_min = boundary.t;

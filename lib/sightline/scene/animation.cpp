@@ -51,7 +51,8 @@ void check(const Track<T>& track, const std::string& what, const Place& place) {
   for (std::size_t i = 0; i < track.times.size(); ++i) {
     const std::string key = what + ", key " + std::to_string(i) + ": expected ";
     if (!std::isfinite(track.times[i])) place.refuse(key + "a finite time");
-    if (i > 0 && !(track.times[i] > track.times[i - 1])) place.refuse(key + "a time later than that of the key before");
+    if (i > 0 && !(track.times[i] > track.times[i - 1] && std::isfinite(track.times[i] - track.times[i - 1])))
+      place.refuse(key + "a time later than that of the key before");
     if (!is_valid(track.values[i])) place.refuse(key + "finite numbers, and of rotations not only zeros");
   }
 }
