@@ -41,7 +41,7 @@ Examples
       the leaves of a coarser tree as data, for ParaView
   sightline-view csg --solid widget --out widget.png
       a ray's interval ladder through a solid: see csg --help
-  sightline-view graph --scene levels:4 --select left/right --drag 0.9,0.6,0 --out bubble.png
+  sightline-view graph --scene levels:4 --select left/left --drag=-0.9,0.7,0 --out bubble.png
       a scene's tree, and an event that bubbles up in it: see graph --help
   sightline-view noise --kind perlin --out noise.png
       noise from its lattice to its spectrum: see noise --help

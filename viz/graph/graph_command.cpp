@@ -1,6 +1,6 @@
 #include "viz/graph/graph_command.h"
 
-#include <filesystem>
+#include <cmath>
 #include <iostream>
 #include <optional>
 
@@ -28,9 +28,9 @@ after. Bounds in the picture have the color of their depth; those that coincide 
 Examples
   sightline-view graph --scene levels:4
       the course's renderLevel; opens a window where there is a display
-  sightline-view graph --scene levels:4 --select left/right --drag 0.9,0.6,0 --out bubble.png
+  sightline-view graph --scene levels:4 --select left/left --drag=-0.9,0.7,0 --out bubble.png
       before, the event's way up step by step, and after
-  sightline-view graph --scene rocket --time 0:5.5 --frames 6 --out flight.png
+  sightline-view graph --scene rocket --time 0:5.4 --frames 7 --out flight.png
       the rocket's motion, which knows nothing of its shape
   sightline-view graph --scene balls:2 --bounds sphere --level 0:3 --out balls.png
 
@@ -125,6 +125,11 @@ int GraphCommand::run() const {
   const PictureSize size = parse_picture_size(size_);
   GraphLook look;
   look.kind = parse_kind(bounds_);
+  // CLI::Range lets pass what is no number.
+  for (const auto& [option, value] :
+       {std::pair("--azimuth", azimuth_), {"--elevation", elevation_}, {"--zoom", zoom_}}) {
+    if (!std::isfinite(value)) refuse(option, short_number(value), "a number in its range");
+  }
   look.azimuth = azimuth_, look.elevation = elevation_, look.zoom = zoom_;
   look.has_things = !has_bounds_only_;
   std::optional<DepthRange> levels;
@@ -180,6 +185,7 @@ int GraphCommand::run() const {
     std::cout << still_table(drawn.graph, drawn.shape, *picture.frames.front().places);
   }
   std::cout << std::flush;
+  picture.aspect = aspect_of(drawn, picture.frames, look);
   if (has_picture) {
     progress.say("drawing " + out_);
     picture.write_png(out_);

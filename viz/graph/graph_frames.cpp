@@ -93,7 +93,7 @@ std::vector<GraphFrame> frames_of(const Change& change, const SceneGraph& graph,
   const std::size_t all = change.way.size();
   const std::size_t steps = std::min<std::size_t>(all, static_cast<std::size_t>(std::max(count - 2, 0)));
   for (std::size_t step = 1; step <= steps; ++step) {
-    const std::size_t told = (all * step + steps - 1) / steps;
+    const std::size_t told = steps == 1 ? all : 1 + (all - 1) * (step - 1) / (steps - 1);
     const bool is_first = step == 1;
     frames.push_back(
         {.title =

@@ -19,7 +19,8 @@ class GraphLayout {
   static constexpr double margin = 28, top = 92, bottom = 62;
 
   /// Of a picture in pixels. With `has_one_tree` the tree is left of all frames, otherwise in each of them.
-  GraphLayout(int width, int height, int frames, bool has_one_tree);
+  /// `aspect` is the width over the height of what is in space.
+  GraphLayout(int width, int height, int frames, bool has_one_tree, double aspect);
 
   double unit() const { return unit_; }  ///< Pixels.
   double width() const { return width_; }

@@ -22,7 +22,9 @@ struct GraphPicture {
   std::string help;                 ///< In place of the legend; or empty.
   int width = 1600, height = 1000;  ///< Pixels.
 
-  GraphLayout layout() const { return {width, height, static_cast<int>(frames.size()), has_one_tree}; }
+  double aspect = 1;  ///< Width over height of what is in space; see aspect_of().
+
+  GraphLayout layout() const { return {width, height, static_cast<int>(frames.size()), has_one_tree, aspect}; }
   SpaceCamera camera() const;
 
   /// Replaces what the window shows, from `camera` where one is given. `scale` is the number of the window's pixels

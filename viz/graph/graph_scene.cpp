@@ -85,6 +85,16 @@ std::string names_like(const SceneGraph& graph, const std::vector<NodeId>& order
   return list.empty() ? "#0 to #" + std::to_string(graph.size() - 1) : list;
 }
 
+/// Of names that nobody knows also "rocket" is told, which is known here only.
+Scene make_known_scene(const std::string& spec, const std::filesystem::path& data_dir) try {
+  return make_scene(spec, data_dir);
+} catch (const std::invalid_argument& error) {
+  const std::string what = error.what();
+  const std::size_t found = what.rfind(", found");
+  const bool is_list = what.find("one of") != std::string::npos && found != std::string::npos;
+  throw std::invalid_argument(is_list ? what.substr(0, found) + " rocket" + what.substr(found) : what);
+}
+
 bool ends_with_steps(const std::string& path, const std::string& text) {
   return path == text || path.ends_with(text.front() == '/' ? text : "/" + text);
 }
@@ -100,7 +110,7 @@ PlayedScene load_played_scene(const std::string& spec, const std::filesystem::pa
     played.duration = flight.landing();
     return played;
   }
-  PlayedScene played{make_scene(spec, data_dir), nullptr};
+  PlayedScene played{make_known_scene(spec, data_dir), nullptr};
   if (spec.substr(0, spec.find(':')) == "levels") {
     played.controller = std::make_unique<TurningLevels>(played.scene);
     played.duration = 360 / turning;
@@ -123,9 +133,12 @@ NodeId node_by_name(const SceneGraph& graph, const std::string& text) {
   const TreeShape shape(graph);
   if (!text.empty()) {
     const std::string last = text.substr(text.rfind('/') + 1);
+    NodeId found = no_node;
     for (const NodeId node : shape.order) {
-      if (graph.name(node) == last && node != root_node && ends_with_steps(graph.path(node), text)) return node;
+      if (graph.name(node) != last || node == root_node || !ends_with_steps(graph.path(node), text)) continue;
+      if (found == no_node || shape.depths[node] < shape.depths[found]) found = node;
     }
+    if (found != no_node) return found;
   }
   throw std::invalid_argument("scene graph: expected the name or path of one of " + std::to_string(graph.size()) +
                               " nodes, such as " + names_like(graph, shape.order, text) + ", found \"" + text + "\"");

@@ -20,8 +20,8 @@ struct PlayedScene {
 /// are all played. \throws as make_scene() does.
 PlayedScene load_played_scene(const std::string& spec, const std::filesystem::path& data_dir);
 
-/// By its path ("/top/left"), the end of its path ("left/sphere"), its name or its number ("#12"); the first one in the
-/// order of the tree, which has parents first. \throws std::invalid_argument that lists those with names like it.
+/// By its path ("/top/left"), the end of its path ("left/sphere"), its name or its number ("#12"); the least deep
+/// one, of these the first in the order of the tree. \throws std::invalid_argument that lists those with names like it.
 NodeId node_by_name(const SceneGraph& graph, const std::string& text);
 
 }  // namespace sightline::viz

@@ -41,9 +41,11 @@ struct LineStyle {
       case Standing::known:
         return 1.1 + 1.3 * std::pow(1 - share, 2);
       case Standing::former:
-        return 1.5;
+        return 1.7;
       case Standing::stale:
         return 1.8;
+      case Standing::told:
+        return 2.3;
       default:
         return 2.9;
     }
@@ -177,9 +179,11 @@ std::vector<NodeId> nodes_with_bounds(const DrawnScene& drawn, const GraphFrame&
   return nodes;
 }
 
-SpaceCamera camera_for(const DrawnScene& drawn, const std::vector<GraphFrame>& frames, const GraphLook& look,
-                       double aspect) {
-  const Axes axes = axes_toward(look.azimuth, look.elevation);
+namespace {
+
+/// What a camera has to see.
+std::vector<Vec3d> points_to_see(const DrawnScene& drawn, const std::vector<GraphFrame>& frames, const GraphLook& look,
+                                 const Axes& axes) {
   std::vector<Vec3d> points;
   for (const GraphFrame& frame : frames) {
     std::vector<Cell> cells;
@@ -193,7 +197,27 @@ SpaceCamera camera_for(const DrawnScene& drawn, const std::vector<GraphFrame>& f
     const std::vector<Vec3d> seen = points_of(*cell_outlines(cells, axes.z));
     points.insert(points.end(), seen.begin(), seen.end());
   }
-  return fit_camera(axes, points, aspect, look.zoom);
+  return points;
+}
+
+}  // namespace
+
+SpaceCamera camera_for(const DrawnScene& drawn, const std::vector<GraphFrame>& frames, const GraphLook& look,
+                       double aspect) {
+  const Axes axes = axes_toward(look.azimuth, look.elevation);
+  return fit_camera(axes, points_to_see(drawn, frames, look, axes), aspect, look.zoom);
+}
+
+double aspect_of(const DrawnScene& drawn, const std::vector<GraphFrame>& frames, const GraphLook& look) {
+  const Axes axes = axes_toward(look.azimuth, look.elevation);
+  const std::vector<Vec3d> points = points_to_see(drawn, frames, look, axes);
+  const SpaceCamera camera = fit_camera(axes, points, 1, 1);
+  glm::dvec2 lo(1), hi(-1);
+  for (const Vec3d& p : points) {
+    if (const auto on_screen = camera.project(p)) lo = glm::min(lo, *on_screen), hi = glm::max(hi, *on_screen);
+  }
+  const glm::dvec2 size = hi - lo;
+  return size.x > 0 && size.y > 0 ? std::clamp(size.x / size.y, 0.2, 5.0) : 1;
 }
 
 std::vector<std::pair<NodeId, std::size_t>> numbered(const GraphFrame& frame) {
@@ -240,7 +264,7 @@ GraphSpace space_of(const DrawnScene& drawn, const GraphFrame& frame, const Grap
     if (!is_told && node == look.selected && node != root_node) standing = Standing::selected;
     const Cell cell = cell_of(frame.bounds->bounds[node], 3.2 * pixel * pads[i], depth);
     lines[{standing, depth}].push_back(cell);
-    if (!frame.former || !(is_told || frame.moved == no_node)) continue;
+    if (!frame.former || !(is_told || (frame.moved == no_node && node == look.selected))) continue;
     const Bound& former = frame.former->bounds[node];
     const bool has_changed =
         !(is_nothing(former) || is_unbounded(former)) && !is_same(former, frame.bounds->bounds[node]);

@@ -52,6 +52,9 @@ Rgb color_of_depth(std::uint32_t depth, std::uint32_t deepest);
 SpaceCamera camera_for(const DrawnScene& drawn, const std::vector<GraphFrame>& frames, const GraphLook& look,
                        double aspect);
 
+/// Width over height of what such a camera sees.
+double aspect_of(const DrawnScene& drawn, const std::vector<GraphFrame>& frames, const GraphLook& look);
+
 /// Numbers that tell the order in which an event passes nodes: of long ways only the first and the last ones.
 std::vector<std::pair<NodeId, std::size_t>> numbered(const GraphFrame& frame);
 /// A number in a disc; `is_latest` stands out.
