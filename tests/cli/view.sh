@@ -188,6 +188,7 @@ refuses 2 'two numbers' "${graph[@]}" --time 2:1 --out a.png
 refuses 2 'two numbers' "${graph[@]}" --time 0:inf --out a.png
 refuses 2 'a scene that moves' "$view" graph --scene teapot:2 --time 0:1 --out a.png
 refuses 2 'in range' "${graph[@]}" --time 0:1 --frames 1 --out a.png
+refuses 2 '2 to 12' "${graph[@]}" --select left --drag 1,0,0 --frames 13 --out a.png
 refuses 2 'beside it' "${graph[@]}" --frames 4 --out a.png
 refuses 2 cylinder "${graph[@]}" --bounds ellipsoid --out a.png
 refuses 2 --level "${graph[@]}" --level 3:1 --out a.png

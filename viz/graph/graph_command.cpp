@@ -32,7 +32,7 @@ Examples
       before, the event's way up step by step, and after
   sightline-view graph --scene rocket --time 0:5.4 --frames 7 --out flight.png
       the rocket's motion, which knows nothing of its shape
-  sightline-view graph --scene balls:2 --bounds sphere --level 0:3 --out balls.png
+  sightline-view graph --scene jacks:2 --bounds cylinder --out jacks.png
 
 In the window: a click on a thing or a row chooses a node; drag a thing to move what is chosen, beside things to turn
 the view; the wheel comes closer; Up and Down choose the parent and the first child, B other bounds, + and - deeper and
@@ -103,7 +103,10 @@ GraphCommand::GraphCommand(CLI::App& program, const std::string& data_folder)
   command_->add_option("--time", time_, "The scene's motion instead, from T0 to T1 in seconds")
       ->option_text("T0:T1")
       ->excludes(drag);
-  command_->add_option("--frames", frames_, "Of a drag or a motion: at most so many pictures; default 6")
+  command_
+      ->add_option("--frames", frames_,
+                   "At most so many pictures, of a motion to 24, of a drag to 12; default 6, or as many steps\nas a "
+                   "drag has, to 8")
       ->check(CLI::Range(2, most_frames))
       ->option_text("N");
   command_->add_option("--size", size_, "Of the picture or window in pixels; default 1600x1000")
@@ -140,6 +143,9 @@ int GraphCommand::run() const {
   if (command_->count("--frames") && !has_drag && !has_time) {
     refuse("--frames", std::to_string(frames_), "--drag or --time beside it");
   }
+  if (has_drag && frames_ > most_drag_frames) {
+    refuse("--frames", std::to_string(frames_), "2 to " + std::to_string(most_drag_frames) + " beside --drag");
+  }
   const bool has_picture = command_->count("--out") > 0;
   if (has_picture) {
     if (out_.empty() || output_kind(out_) != OutputKind::png) refuse("--out", out_, "a name that ends in .png");
@@ -173,12 +179,13 @@ int GraphCommand::run() const {
   progress.clear();
   if (has_drag) {
     const Change change = drag(scene, look.selected, way, look.kind);
-    picture.frames = frames_of(change, drawn.graph, frames_);
+    picture.frames = frames_of(change, drawn.graph, frames_ > 0 ? frames_ : 8);
     picture.has_one_tree = false;
     picture.verdict = verdict_of(change, drawn.graph);
     std::cout << change_table(drawn.graph, drawn.shape, change, false);
   } else if (has_time) {
-    picture.frames = frames_of(scene, *played.controller, times.first, times.last, frames_, look.kind);
+    picture.frames =
+        frames_of(scene, *played.controller, times.first, times.last, frames_ > 0 ? frames_ : 6, look.kind);
     std::cout << motion_table(drawn.graph, picture.frames, look.selected);
   } else {
     picture.frames = {still_frame(scene, look.kind)};

@@ -19,7 +19,7 @@ class GraphCommand {
   CLI::App* command_;
   const std::string& data_;
   std::string scene_ = "levels:4", bounds_ = "box", level_, selected_, drag_, time_, size_ = "1600x1000", out_;
-  int frames_ = 6;
+  int frames_ = 0;
   bool has_bounds_only_ = false;
   double azimuth_ = 24, elevation_ = 16, zoom_ = 1;
 };

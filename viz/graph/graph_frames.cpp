@@ -129,6 +129,7 @@ std::vector<GraphFrame> frames_of(LiveScene& scene, const Controller& controller
                                   BoundKind kind) {
   std::vector<GraphFrame> frames;
   SharedSnapshot former;
+  scene.refresh(kind);  // events end where bounds are stale already
   for (int i = 0; i < count; ++i) {
     const double time = count == 1 ? first : first + (last - first) * i / (count - 1);
     const LiveScene::Counters counters = scene.counters();
@@ -138,7 +139,7 @@ std::vector<GraphFrame> frames_of(LiveScene& scene, const Controller& controller
     char title[48];
     std::snprintf(title, sizeof title, "t = %.4g s", time);
     frames.push_back({.title = title,
-                      .text = counted(work.worlds, "place") + ", " + counted(work.bounds, "bound") + " computed",
+                      .text = counted(work.bounds, "bound") + " computed",
                       .places = places,
                       .bounds = places,
                       .former = former,

@@ -48,7 +48,7 @@ struct GraphFrame {
   NodeId moved = no_node;         ///< The node whose place was changed, by a hand.
 };
 
-inline constexpr int most_frames = 24;
+inline constexpr int most_frames = 24, most_drag_frames = 12;
 
 /// Before, the event on its way up in as many steps as there are frames for, and after. `count` is at least 2.
 std::vector<GraphFrame> frames_of(const Change& change, const SceneGraph& graph, int count);

@@ -8,7 +8,9 @@ namespace {
 constexpr double head = 46, gap = 22;
 
 /// Where a tree of so many rows is hard to follow.
-constexpr double low_tree = 270;
+constexpr double low_tree = 200;
+/// Below that, captions are cut off.
+constexpr double narrow_space = 150, narrow_frame = 300;
 
 /// The best number of columns: those that show most of what is in space, and leave room for a tree.
 int columns_for(int frames, double width, double height, double tree_share, double aspect) {
@@ -18,6 +20,7 @@ int columns_for(int frames, double width, double height, double tree_share, doub
     const int rows = (frames + columns - 1) / columns;
     const double across = ((width - (columns - 1) * gap) / columns) * (1 - tree_share);
     const double down = (height - (rows - 1) * gap) / rows - head;
+    if (columns > 1 && (width - (columns - 1) * gap) / columns < (tree_share > 0 ? narrow_frame : narrow_space)) break;
     const double side = std::min(across / aspect, down) * (tree_share > 0 && down < low_tree ? 0.4 : 1);
     if (side > best_side) best = columns, best_side = side;
   }

@@ -116,7 +116,9 @@ std::vector<GraphSpace> GraphPicture::show_in(vtkRenderWindow& window, int scale
   const Canvas::TextStyle bold{27, ink, Align::left, true};
   paper.text({GraphLayout::margin, 36}, title, bold);
   paper.text({GraphLayout::margin + paper.text_width(title, bold) + 16, 38}, subtitle, {16, soft_ink});
-  paper.text({GraphLayout::margin, 70}, verdict, {16, accent, Align::left, true});
+  const Canvas::TextStyle strong{16, accent, Align::left, true};
+  paper.text({GraphLayout::margin, 70}, paper.shortened(verdict, strong, places.width() - 2 * GraphLayout::margin),
+             strong);
 
   const SpaceCamera camera = fixed ? *fixed : this->camera();
   std::vector<GraphSpace> spaces;
@@ -128,8 +130,9 @@ std::vector<GraphSpace> GraphPicture::show_in(vtkRenderWindow& window, int scale
     }
     const double x = has_one_tree ? place.space.x : place.tree.x;
     const Canvas::TextStyle head{17, ink, Align::left, true};
-    paper.text({x, place.head}, frames[i].title, head);
-    paper.text({x, place.head + 20}, frames[i].text, {13.5, soft_ink});
+    const double room = place.space.x + place.space.width - x;
+    paper.text({x, place.head}, paper.shortened(frames[i].title, head, room), head);
+    paper.text({x, place.head + 20}, paper.shortened(frames[i].text, {13.5, soft_ink}, room), {13.5, soft_ink});
     spaces.push_back(space_of(drawn, frames[i], look, camera, place.space, part, over));
     draw_border(over, place.space);
   }

@@ -205,7 +205,7 @@ std::vector<Vec3d> points_to_see(const DrawnScene& drawn, const std::vector<Grap
 SpaceCamera camera_for(const DrawnScene& drawn, const std::vector<GraphFrame>& frames, const GraphLook& look,
                        double aspect) {
   const Axes axes = axes_toward(look.azimuth, look.elevation);
-  return fit_camera(axes, points_to_see(drawn, frames, look, axes), aspect, look.zoom);
+  return fit_camera(axes, points_to_see(drawn, frames, look, axes), aspect, 0.95 * look.zoom);  // room for paddings
 }
 
 double aspect_of(const DrawnScene& drawn, const std::vector<GraphFrame>& frames, const GraphLook& look) {

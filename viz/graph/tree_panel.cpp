@@ -14,15 +14,6 @@ using Point = Canvas::Point;
 
 constexpr double lowest_row = 19.5, highest_row = 25, widest_step = 17, name_room = 96;
 
-/// As much of a text as is `width` wide.
-std::string shortened(const Canvas& canvas, const std::string& text, const Canvas::TextStyle& style, double width) {
-  if (canvas.text_width(text, style) <= width) return text;
-  std::size_t length = text.size();
-  while (length > 1 && canvas.text_width(text.substr(0, length) + "...", style) > width) --length;
-  while (length > 1 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;  // whole letters of UTF-8
-  return text.substr(0, length) + "...";
-}
-
 }  // namespace
 
 class TreePanel::Drawing {
@@ -98,7 +89,7 @@ class TreePanel::Drawing {
     const std::string below = row.hidden == 0 ? "" : "+" + with_commas(row.hidden);
     const Canvas::TextStyle below_style{13, soft_ink};
     const double below_width = below.empty() ? 0 : canvas_.text_width(below, below_style) + 8;
-    name = shortened(canvas_, name, style, right - (x + 11) - below_width - (has_mark ? 28 : 4));
+    name = canvas_.shortened(name, style, right - (x + 11) - below_width - (has_mark ? 28 : 4));
     canvas_.text({x + 11, y}, name, style);
     if (!below.empty()) canvas_.text({x + 11 + canvas_.text_width(name, style) + 8, y}, below, below_style);
     if (!has_mark) return;
