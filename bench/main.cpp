@@ -89,18 +89,23 @@ int run(const CommandLine& line) {
   return 0;
 }
 
+struct Subcommand {
+  std::string_view name;
+  int (*run)(int argc, const char* const* argv);
+};
+constexpr Subcommand subcommands[] = {{"solids", run_solids_command},       {"torus", run_torus_command},
+                                      {"noise", run_noise_command},         {"graph", run_graph_command},
+                                      {"instances", run_instances_command}, {"moving", run_moving_command}};
+
 }  // namespace
 }  // namespace sightline::bench
 
 int main(int argc, char** argv) {
   using namespace sightline::bench;
   try {
-    if (argc > 1 && std::string_view(argv[1]) == "solids") return run_solids_command(argc - 1, argv + 1);
-    if (argc > 1 && std::string_view(argv[1]) == "graph") return run_graph_command(argc - 1, argv + 1);
-    if (argc > 1 && std::string_view(argv[1]) == "instances") return run_instances_command(argc - 1, argv + 1);
-    if (argc > 1 && std::string_view(argv[1]) == "moving") return run_moving_command(argc - 1, argv + 1);
-    if (argc > 1 && std::string_view(argv[1]) == "noise") return run_noise_command(argc - 1, argv + 1);
-    if (argc > 1 && std::string_view(argv[1]) == "torus") return run_torus_command(argc - 1, argv + 1);
+    for (const Subcommand& subcommand : subcommands) {
+      if (argc > 1 && subcommand.name == argv[1]) return subcommand.run(argc - 1, argv + 1);
+    }
     const CommandLine line = parse_command_line(argc, argv);
     if (!line.help.empty()) {
       print(line.help);

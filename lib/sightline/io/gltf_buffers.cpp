@@ -59,23 +59,26 @@ std::string decode_percent(std::string_view text) {
   return decoded;
 }
 
-std::string read_uri(const std::filesystem::path& path, const JsonValue& uri) {
+}  // namespace
+
+std::optional<std::string> gltf_data(const JsonValue& uri) {
   const std::string& text = uri.text();
-  if (text.starts_with("data:")) {
-    constexpr std::string_view mark = ";base64,";
-    const std::size_t at = text.find(mark);
-    if (at == std::string::npos) uri.fail("data in base64");
-    return decode_base64(uri, std::string_view(text).substr(at + mark.size()));
-  }
+  if (!text.starts_with("data:")) return std::nullopt;
+  constexpr std::string_view mark = ";base64,";
+  const std::size_t at = text.find(mark);
+  if (at == std::string::npos) uri.fail("data in base64");
+  return decode_base64(uri, std::string_view(text).substr(at + mark.size()));
+}
+
+std::filesystem::path gltf_file(const JsonValue& uri) {
+  const std::string& text = uri.text();
   const std::filesystem::path name = decode_percent(text);
-  if (text.empty() || text.find(':') != std::string::npos || text.find('\0') != std::string::npos ||
+  if (text.empty() || text.find(':') != std::string::npos || name.native().find('\0') != std::string::npos ||
       name.is_absolute()) {
     uri.fail("a file relative to this one");
   }
-  return read_bytes(path.parent_path() / name);
+  return name;
 }
-
-}  // namespace
 
 GltfParts split_gltf(const std::filesystem::path& path, std::string_view bytes) {
   if (!bytes.starts_with("glTF")) return {bytes, std::nullopt};
@@ -115,7 +118,8 @@ std::vector<std::string> read_gltf_buffers(const std::filesystem::path& path, co
     const std::uint64_t length = buffer["byteLength"].whole();
     std::string content;
     if (const auto uri = buffer.find("uri")) {
-      content = read_uri(path, *uri);
+      const auto data = gltf_data(*uri);
+      content = data ? *data : read_bytes(path.parent_path() / gltf_file(*uri));
     } else if (i == 0 && binary) {
       content = *binary;
     } else {

@@ -24,4 +24,10 @@ GltfParts split_gltf(const std::filesystem::path& path, std::string_view bytes);
 std::vector<std::string> read_gltf_buffers(const std::filesystem::path& path, const JsonValue& document,
                                            const std::optional<std::string_view>& binary);
 
+/// What a "uri" says: the content of a data URI, or nothing where it names a file.
+std::optional<std::string> gltf_data(const JsonValue& uri);
+
+/// The file that a "uri" names, %XX decoded. Throws FileError for one that is not relative.
+std::filesystem::path gltf_file(const JsonValue& uri);
+
 }  // namespace sightline

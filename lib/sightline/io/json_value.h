@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -17,8 +18,19 @@ namespace sightline {
 /// Arrays and objects within each other, more than any document needs: what walks one calls itself as often.
 inline constexpr int deepest_json = 1000;
 
+/// Whether a document may have comments, as those of C++.
+enum class JsonComments { refused, allowed };
+
+/// The last byte of the comment that begins at a byte, or that byte itself where none does.
+inline std::size_t end_of_comment(std::string_view text, std::size_t first) {
+  const std::string_view start = text.substr(first, 2);
+  if (start != "//" && start != "/*") return first;
+  const std::size_t end = start == "//" ? text.find('\n', first) : text.find("*/", first + 2);
+  return end == std::string_view::npos ? text.size() : end + (start == "/*" ? 1 : 0);
+}
+
 /// Where a text nests deeper, or its size.
-inline std::size_t too_deep_at(std::string_view text) {
+inline std::size_t too_deep_at(std::string_view text, JsonComments comments = JsonComments::refused) {
   int depth = 0;
   bool is_text = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -26,6 +38,8 @@ inline std::size_t too_deep_at(std::string_view text) {
     if (is_text) {
       if (c == '\\') ++i;
       is_text = c != '"';
+    } else if (c == '/' && comments == JsonComments::allowed) {
+      i = end_of_comment(text, i);
     } else if (c == '"') {
       is_text = true;
     } else if (c == '[' || c == '{') {
@@ -51,13 +65,14 @@ inline std::string found_at(std::string_view text, std::size_t byte) {
 }
 
 /// Throws FileError with the line.
-inline nlohmann::json parse_json(const std::filesystem::path& path, std::string_view text) {
-  if (const std::size_t at = too_deep_at(text); at < text.size()) {
+inline nlohmann::json parse_json(const std::filesystem::path& path, std::string_view text,
+                                 JsonComments comments = JsonComments::refused) {
+  if (const std::size_t at = too_deep_at(text, comments); at < text.size()) {
     throw FileError(path, 0, "at most " + std::to_string(deepest_json) + " arrays and objects within each other",
                     "more at byte " + std::to_string(at + 1));
   }
   try {
-    return nlohmann::json::parse(text);
+    return nlohmann::json::parse(text, nullptr, true, comments == JsonComments::allowed);
   } catch (const nlohmann::json::parse_error& error) {
     throw FileError(path, line_at(text, error.byte), "JSON", found_at(text, error.byte));
   } catch (const nlohmann::json::out_of_range& error) {
@@ -78,6 +93,10 @@ class JsonValue {
   /// The same behind the document's file.
   std::string where() const { return path_->string() + ":" + (place_.empty() ? "/" : place_); }
   bool is_array() const { return json_->is_array(); }
+  bool is_object() const { return json_->is_object(); }
+  bool is_text() const { return json_->is_string(); }
+  bool is_number() const { return json_->is_number(); }
+  const std::filesystem::path& path() const { return *path_; }
 
   std::optional<JsonValue> find(const char* name) const {
     if (!json_->is_object()) fail("an object");
@@ -88,6 +107,13 @@ class JsonValue {
   JsonValue operator[](const char* name) const {
     if (const auto member = find(name)) return *member;
     fail(std::string("a member \"") + name + "\"", "none");
+  }
+
+  /// Calls see(name, value) for each member, by the order of their names.
+  template <class See>
+  void for_each_member(See&& see) const {
+    if (!json_->is_object()) fail("an object");
+    for (const auto& [name, member] : json_->items()) see(name, JsonValue(*path_, member, place_ + "/" + name));
   }
 
   std::size_t size() const {
@@ -121,6 +147,21 @@ class JsonValue {
   double real() const {
     if (!json_->is_number()) fail("a number");
     return json_->get<double>();  // JSON has no others than finite ones
+  }
+  /// A number from `lowest` to `highest`.
+  double real_within(double lowest, double highest) const {
+    const double value = real();
+    if (!(value >= lowest && value <= highest)) {
+      const auto said = [](double x) { return nlohmann::json(x).dump(); };
+      fail("a number " + (highest < std::numeric_limits<double>::infinity()
+                              ? "from " + said(lowest) + " to " + said(highest)
+                              : "of at least " + said(lowest)));
+    }
+    return value;
+  }
+  bool truth() const {
+    if (!json_->is_boolean()) fail("true or false");
+    return json_->get<bool>();
   }
   const std::string& text() const {
     if (!json_->is_string()) fail("a string");

@@ -35,7 +35,8 @@ struct Geometry {
 struct TextureSource {
   std::string name;
   std::variant<std::string, std::filesystem::path> source;
-  bool is_data = false;  ///< An image of numbers, such as normals, not of colors.
+  bool is_data = false;              ///< An image of numbers, such as normals, not of colors.
+  std::shared_ptr<const void> kept;  ///< Keeps a temporary file, of an image that was within another file.
 };
 
 /// How a surface takes light. Textures, by number, multiply what stands beside them.
@@ -85,6 +86,7 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<SceneCamera> cameras;
   std::vector<Animation> animations;
+  std::vector<std::string> warnings;  ///< What files named and did not give, such as missing images; a line each.
 };
 
 }  // namespace sightline

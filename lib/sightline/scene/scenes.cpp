@@ -11,6 +11,7 @@
 #include "sightline/scene/flatten.h"
 #include "sightline/scene/levels.h"
 #include "sightline/scene/procedural.h"
+#include "sightline/scene/scene_file.h"
 #include "sightline/scene/scene_parts.h"
 #include "sightline/scene/spd/databases.h"
 #include "sightline/scene/staged.h"
@@ -98,10 +99,17 @@ int parse_size(const SceneInfo& info, std::string_view text) {
 /// Triangles alone where nothing is known of nodes, so that nothing need be placed.
 using Made = std::variant<TriangleMesh, Scene>;
 
-/// Its extension tells what a file is.
-Made read(const std::filesystem::path& path) { return read_mesh(path); }
+enum class Wanted { nodes, triangles };
 
-Made make(const std::string& spec, const std::filesystem::path& data_dir) {
+/// Its extension tells what a file is.
+Made read(const std::filesystem::path& path, const std::filesystem::path& data_dir, Wanted wanted) {
+  // Of these the shorter way gives the same triangles.
+  if (path.extension() == ".obj" && wanted == Wanted::triangles) return read_mesh(path);
+  if (is_scene_file(path)) return read_scene(path, data_dir);
+  return read_mesh(path);
+}
+
+Made make(const std::string& spec, const std::filesystem::path& data_dir, Wanted wanted) {
   const std::size_t colon = spec.find(':');
   const std::string_view name = std::string_view(spec).substr(0, colon);
   for (const auto& [info, maker] : entries) {
@@ -113,7 +121,7 @@ Made make(const std::string& spec, const std::filesystem::path& data_dir) {
     return load_dragon(size, data_dir);
   }
   // Scenes have neither in their names, files have an extension at least.
-  if (spec.find_first_of("./") != std::string::npos) return read(spec);
+  if (spec.find_first_of("./") != std::string::npos) return read(spec, data_dir, wanted);
   std::string names;
   for (const SceneInfo& info : infos) names += " " + std::string(info.name);
   throw std::invalid_argument("scene: expected a mesh file or one of" + names + ", found \"" + spec + "\"");
@@ -124,13 +132,13 @@ Made make(const std::string& spec, const std::filesystem::path& data_dir) {
 std::span<const SceneInfo> scene_infos() { return infos; }
 
 Scene make_scene(const std::string& spec, const std::filesystem::path& data_dir) {
-  Made made = make(spec, data_dir);
+  Made made = make(spec, data_dir, Wanted::nodes);
   if (auto* scene = std::get_if<Scene>(&made)) return std::move(*scene);
   return scene_of(spec, std::make_shared<const TriangleMesh>(std::get<TriangleMesh>(std::move(made))));
 }
 
 std::shared_ptr<const TriangleMesh> load_scene(const std::string& spec, const std::filesystem::path& data_dir) {
-  Made made = make(spec, data_dir);
+  Made made = make(spec, data_dir, Wanted::triangles);
   if (const auto* scene = std::get_if<Scene>(&made)) {
     return std::make_shared<const TriangleMesh>(instances_of(*scene).instances.flattened());
   }
