@@ -124,6 +124,14 @@ double Canvas::text_width(const std::string& text, const TextStyle& style) const
   return (box[1] - box[0] + 1) / scale_;
 }
 
+std::string Canvas::shortened(const std::string& text, const TextStyle& style, double width) const {
+  if (text_width(text, style) <= width) return text;
+  std::size_t length = text.size();
+  while (length > 1 && text_width(text.substr(0, length) + "...", style) > width) --length;
+  while (length > 1 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;  // whole letters of UTF-8
+  return text.substr(0, length) + "...";
+}
+
 void Canvas::image(Point top_left, const ColorGrid& image, double pixel_size) {
   pictures_.push_back({top_left, image, std::max(1, static_cast<int>(std::lround(pixel_size * scale_)))});
 }

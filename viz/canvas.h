@@ -49,6 +49,8 @@ class Canvas {
   /// Its middle line is at `at`'s y.
   void text(Point at, const std::string& text, const TextStyle& style);
   double text_width(const std::string& text, const TextStyle& style) const;
+  /// As much of a text as is no wider, "..." at its end where that is not all.
+  std::string shortened(const std::string& text, const TextStyle& style, double width) const;
   /// Each pixel of the image becomes `pixel_size` units wide, which are a whole number of the window's pixels.
   void image(Point top_left, const ColorGrid& image, double pixel_size);
 

@@ -256,6 +256,12 @@ Sections cell_sections(std::span<const Cell> cells, int axis, double position) {
   return {polygons.polygons(), outlines.lines()};
 }
 
+std::vector<Vec3d> points_of(vtkPolyData& data) {
+  std::vector<Vec3d> points(static_cast<std::size_t>(data.GetNumberOfPoints()));
+  for (std::size_t i = 0; i < points.size(); ++i) data.GetPoint(static_cast<vtkIdType>(i), &points[i][0]);
+  return points;
+}
+
 vtkSmartPointer<vtkPolyData> mesh_surface(const TriangleMesh& mesh) {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToFloat();

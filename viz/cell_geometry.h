@@ -5,6 +5,7 @@
 #include <vtkSmartPointer.h>
 
 #include <span>
+#include <vector>
 
 #include "viz/partition.h"
 
@@ -24,6 +25,8 @@ struct Sections {
   vtkSmartPointer<vtkPolyData> outlines;
 };
 Sections cell_sections(std::span<const Cell> cells, int axis, double position);
+
+std::vector<Vec3d> points_of(vtkPolyData& data);
 
 /// Each triangle once, however often the mesh repeats it: what is drawn over itself shows nothing new.
 vtkSmartPointer<vtkPolyData> mesh_surface(const TriangleMesh& mesh);

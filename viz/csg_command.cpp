@@ -1,7 +1,6 @@
 #include "viz/csg_command.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -44,23 +43,8 @@ Examples
   throw UsageError(option + " " + text + ": expected " + expected);
 }
 
-/// Finite numbers, separated by commas; nothing where it is not that.
-std::optional<std::vector<double>> numbers(std::string_view text, std::size_t count) {
-  std::vector<double> values;
-  while (true) {
-    const std::size_t comma = std::min(text.find(','), text.size());
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + comma, value);
-    if (error != std::errc() || end != text.data() + comma || !std::isfinite(value)) return std::nullopt;
-    values.push_back(value);
-    if (comma == text.size()) break;
-    text.remove_prefix(comma + 1);
-  }
-  return values.size() == count ? std::optional(values) : std::nullopt;
-}
-
 Ray<double> parse_ray(const std::string& text) {
-  const auto v = numbers(text, 6);
+  const auto v = finite_numbers(text, 6, ',');
   if (!v) refuse("--ray", text, "OX,OY,OZ,DX,DY,DZ, six finite numbers: an origin and a direction");
   const Ray<double> ray{{(*v)[0], (*v)[1], (*v)[2]}, {(*v)[3], (*v)[4], (*v)[5]}};
   if (!is_valid(ray)) refuse("--ray", text, "a direction that is not zero, of a length from 2^-500 to 2^500");
@@ -68,7 +52,7 @@ Ray<double> parse_ray(const std::string& text) {
 }
 
 Ray<double> parse_pick(const std::string& text, const LadderSolid& solid, const PictureSize& size) {
-  const auto pixel = numbers(text, 2);
+  const auto pixel = finite_numbers(text, 2, ',');
   std::optional<Ray<double>> ray;
   if (pixel) {
     const auto [x, y] = std::pair((*pixel)[0], (*pixel)[1]);

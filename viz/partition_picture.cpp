@@ -4,7 +4,6 @@
 #include <vtkCamera.h>
 #include <vtkCellData.h>
 #include <vtkCutter.h>
-#include <vtkLight.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
@@ -18,10 +17,10 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "viz/cell_geometry.h"
 #include "viz/overlay.h"
+#include "viz/space_camera.h"
 #include "viz/window_image.h"
 
 namespace sightline::viz {
@@ -29,8 +28,6 @@ namespace {
 
 template <class T>
 using New = vtkSmartPointer<T>;
-
-constexpr double field_of_view = 30;
 
 vtkSmartPointer<vtkActor> add_actor(vtkRenderer& renderer, vtkPolyData* data) {
   auto mapper = New<vtkPolyDataMapper>::New();
@@ -46,66 +43,13 @@ bool is_round(const Cell& cell) {
   return std::holds_alternative<Sphere>(cell.region) || std::holds_alternative<Cylinder>(cell.region);
 }
 
-/// The camera's directions: x right, y up, z toward the eye.
-struct Axes {
-  Vec3d x, y, z;
-};
-
 Axes axes_of(const View& view, const std::optional<Slice>& slice) {
   double azimuth = 24, elevation = 20;
   if (slice) {
     azimuth = slice->axis == 0 ? 90 : 0;
     elevation = slice->axis == 1 ? 90 : 0;
   }
-  azimuth = view.azimuth.value_or(azimuth) * std::numbers::pi / 180;
-  elevation = view.elevation.value_or(elevation) * std::numbers::pi / 180;
-  const Vec3d x(std::cos(azimuth), 0, -std::sin(azimuth));
-  const Vec3d z(std::sin(azimuth) * std::cos(elevation), std::sin(elevation), std::cos(azimuth) * std::cos(elevation));
-  return {x, glm::cross(z, x), z};
-}
-
-/// Moves the camera as close as all `points` fit the viewport, and centers them.
-void fit_camera(vtkCamera& camera, const Axes& axes, std::span<const Vec3d> points, double aspect, double zoom) {
-  const double up_slope = std::tan(field_of_view * std::numbers::pi / 360), right_slope = up_slope * aspect;
-  Vec3d middle(0);
-  double distance = 1;
-  for (int round = 0; round < 4; ++round) {
-    distance = 0;
-    Extent across{1e300, -1e300}, upward = across;
-    for (const Vec3d& p : points) {
-      const Vec3d q = p - middle;
-      distance = std::max({distance, glm::dot(q, axes.z) + std::fabs(glm::dot(q, axes.x)) / right_slope,
-                           glm::dot(q, axes.z) + std::fabs(glm::dot(q, axes.y)) / up_slope});
-    }
-    for (const Vec3d& p : points) {
-      const Vec3d q = p - middle;
-      const double depth = std::max(distance - glm::dot(q, axes.z), 1e-3 * distance);
-      const double x = glm::dot(q, axes.x) / depth * distance, y = glm::dot(q, axes.y) / depth * distance;
-      across = {std::min(across.lo, x), std::max(across.hi, x)};
-      upward = {std::min(upward.lo, y), std::max(upward.hi, y)};
-    }
-    if (points.empty()) break;
-    middle += 0.5 * (across.lo + across.hi) * axes.x + 0.5 * (upward.lo + upward.hi) * axes.y;
-  }
-  const Vec3d eye = middle + (distance > 0 ? 1.04 * distance / zoom : 1) * axes.z;
-  camera.SetViewAngle(field_of_view);
-  camera.SetFocalPoint(middle.x, middle.y, middle.z);
-  camera.SetPosition(eye.x, eye.y, eye.z);
-  camera.SetViewUp(axes.y.x, axes.y.y, axes.y.z);
-}
-
-std::vector<Vec3d> points_of(vtkPolyData& data) {
-  std::vector<Vec3d> points(static_cast<std::size_t>(data.GetNumberOfPoints()));
-  for (std::size_t i = 0; i < points.size(); ++i) data.GetPoint(static_cast<vtkIdType>(i), &points[i][0]);
-  return points;
-}
-
-void add_light(vtkRenderer& renderer, double x, double y, double z, double strength) {
-  auto light = New<vtkLight>::New();
-  light->SetLightTypeToCameraLight();
-  light->SetPosition(x, y, z);
-  light->SetIntensity(strength);
-  renderer.AddLight(light);
+  return axes_toward(view.azimuth.value_or(azimuth), view.elevation.value_or(elevation));
 }
 
 /// The mesh in soft gray; with a slice, only what lies beyond the plane, and the plane's cut through it in black.
@@ -185,9 +129,7 @@ void PartitionPicture::show_in(vtkRenderWindow& window, double scale) const {
   space->SetBackground(1, 1, 1);
   const double right = 1 - double(Overlay::legend) / view.width, top = 1 - double(Overlay::top) / view.height;
   space->SetViewport(0, 0.01, right, top);
-  space->AutomaticLightCreationOff();
-  add_light(*space, -0.6, 0.9, 1, 0.75);
-  add_light(*space, 0.8, 0.1, 1, 0.3);
+  light_space(*space);
   const Axes axes = axes_of(view, slice);
 
   New<vtkPlane> plane;
@@ -237,13 +179,12 @@ void PartitionPicture::show_in(vtkRenderWindow& window, double scale) const {
 
   const double aspect = view.width * right / (view.height * (top - 0.01));
   window.AddRenderer(space);
-  fit_camera(*space->GetActiveCamera(), axes, seen, aspect, view.zoom);
+  fit_camera(axes, seen, aspect, view.zoom).aim(*space->GetActiveCamera());
   space->ResetCameraClippingRange();
 }
 
 void PartitionPicture::write_png(const std::filesystem::path& path) const {
-  write_picture(path, view.width, view.height,
-                [this](vtkRenderWindow& window, int scale) { show_in(window, scale); });
+  write_picture(path, view.width, view.height, [this](vtkRenderWindow& window, int scale) { show_in(window, scale); });
 }
 
 std::string with_commas(std::size_t count) {

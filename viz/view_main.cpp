@@ -10,6 +10,7 @@
 #include "sightline/scene/scenes.h"
 #include "viz/cell_export.h"
 #include "viz/csg_command.h"
+#include "viz/graph/graph_command.h"
 #include "viz/noise/noise_command.h"
 #include "viz/partition_window.h"
 #include "viz/run_tool.h"
@@ -22,7 +23,8 @@ namespace sightline::viz {
 namespace {
 
 constexpr const char* about =
-    R"(Draws how a structure divides space, what a ray makes of a solid, and what noise and textures are made of.
+    R"(Draws how a structure divides space, what a ray makes of a solid, how a scene hangs together, and what noise and
+textures are made of.
 
 Examples
   sightline-view list
@@ -38,6 +40,8 @@ Examples
       the leaves of a coarser tree as data, for ParaView
   sightline-view csg --solid widget --out widget.png
       a ray's interval ladder through a solid: see csg --help
+  sightline-view graph --scene levels:4 --select left/left --drag=-0.9,0.7,0 --out bubble.png
+      a scene's tree, and an event that bubbles up in it: see graph --help
   sightline-view noise --kind perlin --out noise.png
       noise from its lattice to its spectrum: see noise --help
   sightline-view wood --tune --out tuning.png
@@ -47,7 +51,7 @@ Examples
 
 Exit status: 0 done, 1 failure, 2 wrong usage.)";
 
-const std::string subcommand_names = "partitions, csg, noise, wood, normals or list";
+const std::string subcommand_names = "partitions, csg, graph, noise, wood, normals or list";
 
 struct Arguments {
   std::string accelerator = "kd-tree", scene = "teapot", out, depth, slice, size = "1200x900",
@@ -152,6 +156,7 @@ int run(int argc, char** argv) {
   CLI::App* listing = app.add_subcommand("list", "The accelerators with their options, and the scenes");
   CLI::App* command = app.add_subcommand("partitions", "The cells of a structure over the mesh");
   CsgCommand csg(app);
+  GraphCommand graph(app, arguments.data);
   NoiseCommand noise(app);
   WoodCommand wood(app);
   NormalsCommand normals(app);
@@ -208,6 +213,7 @@ int run(int argc, char** argv) {
   }
   if (is_list || listing->parsed()) return list();
   if (csg.is_chosen()) return csg.run();
+  if (graph.is_chosen()) return graph.run();
   if (noise.is_chosen()) return noise.run();
   if (wood.is_chosen()) return wood.run();
   if (normals.is_chosen()) return normals.run();

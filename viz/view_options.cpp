@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace sightline::viz {
 namespace {
@@ -23,24 +24,38 @@ constexpr int deepest_depth = 1'000'000;
 
 }  // namespace
 
-DepthRange parse_depth(const std::string& text) {
+DepthRange parse_depth(const std::string& text, const std::string& option) {
   const std::string expected = "MIN:MAX, MIN:, :MAX or one depth, whole numbers from 0, MIN not above MAX; as in 2:7";
   const std::size_t colon = text.find(':');
   DepthRange range;
   const std::string low = text.substr(0, colon), high = colon == std::string::npos ? low : text.substr(colon + 1);
-  if (low.empty() && high.empty()) refuse("--depth", text, expected);
+  if (low.empty() && high.empty()) refuse(option, text, expected);
   if (!low.empty()) {
     const auto value = number(low, 0, deepest_depth);
-    if (!value) refuse("--depth", text, expected);
+    if (!value) refuse(option, text, expected);
     range.shallowest = *value;
   }
   if (!high.empty()) {
     range.deepest = number(high, 0, deepest_depth);
-    if (!range.deepest || *range.deepest < range.shallowest) refuse("--depth", text, expected);
+    if (!range.deepest || *range.deepest < range.shallowest) refuse(option, text, expected);
   } else {
     range.deepest = deepest_depth;
   }
   return range;
+}
+
+std::optional<std::vector<double>> finite_numbers(std::string_view text, std::size_t count, char separator) {
+  std::vector<double> values;
+  while (true) {
+    const std::size_t end_of_value = std::min(text.find(separator), text.size());
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + end_of_value, value);
+    if (error != std::errc() || end != text.data() + end_of_value || !std::isfinite(value)) return std::nullopt;
+    values.push_back(value);
+    if (end_of_value == text.size()) break;
+    text.remove_prefix(end_of_value + 1);
+  }
+  return values.size() == count ? std::optional(values) : std::nullopt;
 }
 
 Slice parse_slice(const std::string& text) {

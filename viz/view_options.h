@@ -20,8 +20,10 @@ struct DepthRange {
   std::optional<int> deepest;
 };
 
-/// "2:7", "2:", ":7" or "4". \throws UsageError
-DepthRange parse_depth(const std::string& text);
+/// "2:7", "2:", ":7" or "4"; `deepest` is given. \throws UsageError that names the option.
+DepthRange parse_depth(const std::string& text, const std::string& option = "--depth");
+/// So many finite numbers between separators; nothing where the text is not that.
+std::optional<std::vector<double>> finite_numbers(std::string_view text, std::size_t count, char separator);
 /// "y=0.5". \throws UsageError
 Slice parse_slice(const std::string& text);
 /// --accel and --set, of one structure that the registry knows and allows. \throws UsageError

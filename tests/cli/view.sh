@@ -32,6 +32,11 @@ run "$view" csg --list
 expect_exit 0
 for word in widget lens menger:2 not-a-sphere FILE.json; do expect_prints "$word"; done
 
+run "$view" graph --help
+expect_exit 0
+expect_quiet
+for word in --scene --select --drag --time --frames --bounds --level --out Examples bubble; do expect_prints "$word"; done
+
 refuses 2 help "$view"
 refuses 2 subcommand "$view"
 refuses 2 subcommand "$view" nothing
@@ -168,4 +173,43 @@ expect_file a.png
 expect_file a.json
 run "$view" csg --solid swiss-cheese:40 --pick 300,450 --out a.json
 expect_exit 0
+
+graph=("$view" graph --scene levels:3)
+refuses 2 'left, right' "${graph[@]}" --select lefty --out a.png # lists names like it
+refuses 2 'of 17 nodes' "${graph[@]}" --select '#17' --out a.png
+refuses 2 'of 17 nodes' "${graph[@]}" --select '' --out a.png
+refuses 2 'three numbers' "${graph[@]}" --select left --drag 1,2 --out a.png
+refuses 2 'three numbers' "${graph[@]}" --select left --drag nan,0,0 --out a.png
+refuses 2 'three numbers' "${graph[@]}" --select left --drag 1e300,0,0 --out a.png
+refuses 2 --select "${graph[@]}" --drag 1,0,0 --out a.png
+refuses 2 excludes "${graph[@]}" --select left --drag 1,0,0 --time 0:1 --out a.png
+refuses 2 'two numbers' "${graph[@]}" --time 3 --out a.png
+refuses 2 'two numbers' "${graph[@]}" --time 2:1 --out a.png
+refuses 2 'two numbers' "${graph[@]}" --time 0:inf --out a.png
+refuses 2 'a scene that moves' "$view" graph --scene teapot:2 --time 0:1 --out a.png
+refuses 2 'in range' "${graph[@]}" --time 0:1 --frames 1 --out a.png
+refuses 2 '2 to 12' "${graph[@]}" --select left --drag 1,0,0 --frames 13 --out a.png
+refuses 2 'beside it' "${graph[@]}" --frames 4 --out a.png
+refuses 2 cylinder "${graph[@]}" --bounds ellipsoid --out a.png
+refuses 2 --level "${graph[@]}" --level 3:1 --out a.png
+refuses 2 'from 0 to 4' "${graph[@]}" --level 9 --out a.png
+refuses 2 'at least 800x500' "${graph[@]}" --size 640x480 --out a.png
+refuses 2 .png "${graph[@]}" --out a.vtp
+refuses 2 .png "${graph[@]}" --out ''
+refuses 2 range "${graph[@]}" --zoom nan --out a.png
+refuses 2 rocket "$view" graph --scene octopus --out a.png
+refuses 1 no-such.json "$view" graph --scene no-such.json --out a.png
+refuses 1 /dev/null "${graph[@]}" --out /dev/null/a.png
+for kind in box sphere cylinder; do
+  run "${graph[@]}" --select top/left --drag=-0.5,0.25,0 --bounds "$kind" --size 800x500 --out a.png
+  expect_exit 0
+  expect_quiet
+  expect_file a.png
+  expect_prints '3rd          0'
+  expect_prints 'moves along  4'
+done
+run "$view" graph --scene rocket --time 0:3 --frames 3
+expect_exit 0
+expect_says 'no display'
+expect_prints 't = 1.5 s'
 finish

@@ -18,64 +18,13 @@
 #include "viz/csg_trace.h"
 #include "viz/virtual_screen.h"
 
-// It defines words that others use; so last.
-#include <X11/Xlib.h>
-#include <X11/keysym.h>
+// X defines words that others use; so last.
+#include "tests/viz/hand.h"
 
 namespace sightline::viz {
 namespace {
 
 constexpr int width = 800, height = 450;
-
-/// Sends events to a window, and lets the window answer them.
-class Hand {
- public:
-  explicit Hand(CsgWindow& window) : window_(window), display_(XOpenDisplay(nullptr)) {
-    window.interactor().Initialize();
-    window.interactor().ProcessEvents();
-  }
-  ~Hand() { XCloseDisplay(display_); }
-
-  /// As a picture counts, from the top left corner.
-  void click(int x, int y) {
-    for (const int type : {ButtonPress, ButtonRelease}) {
-      XEvent event{};
-      event.xbutton = {};
-      event.xbutton.type = type;
-      event.xbutton.button = Button1;
-      event.xbutton.x = x, event.xbutton.y = y;
-      send(event, type == ButtonPress ? ButtonPressMask : ButtonReleaseMask);
-    }
-  }
-  void press(KeySym key) {
-    for (const int type : {KeyPress, KeyRelease}) {
-      XEvent event{};
-      event.xkey.type = type;
-      event.xkey.keycode = XKeysymToKeycode(display_, key);
-      send(event, type == KeyPress ? KeyPressMask : KeyReleaseMask);
-    }
-  }
-  void resize(unsigned new_width, unsigned new_height) {
-    XResizeWindow(display_, id(), new_width, new_height);
-    answer();
-  }
-
- private:
-  Window id() const { return reinterpret_cast<Window>(window_.interactor().GetRenderWindow()->GetGenericWindowId()); }
-  void send(XEvent& event, long mask) {
-    event.xany.display = display_;
-    event.xany.window = id();
-    XSendEvent(display_, id(), True, mask, &event);
-    answer();
-  }
-  void answer() {
-    XSync(display_, False);
-    window_.interactor().ProcessEvents();
-  }
-
-  CsgWindow& window_;
-  Display* display_;
-};
 
 /// What `--pick x,y` tells of the ray there.
 nlohmann::json told_by_pick(const std::string& solid, int x, int y) {
@@ -96,7 +45,7 @@ nlohmann::json told_by_pick(const std::string& solid, int x, int y) {
 class WindowOfSolid {
  public:
   explicit WindowOfSolid(const std::string& name)
-      : name_(name), solid_(load_solid(name), "box-tree"), window_(first(), tables_), hand_(window_) {}
+      : name_(name), solid_(load_solid(name), "box-tree"), window_(first(), tables_), hand_(window_.interactor()) {}
 
   CsgWindow& window() { return window_; }
   Hand& hand() { return hand_; }

@@ -112,6 +112,15 @@ if command -v Xvfb >/dev/null; then
     cmp -s "$folder/texture.png" "$folder/again.png" || fail "$picture twice differs"
   done
   grep -q '^the surface displaced .* 3072 ' "$folder/stdout" || fail "normals tell no triangles"
+  for graph in "levels:3" "levels:3 --select left --drag 1,0,0" "rocket --time 0:2 --frames 3 --bounds cylinder"; do
+    # shellcheck disable=SC2086
+    env -u DISPLAY "$view" graph --scene $graph --size 800x500 --out "$folder/graph.png" >/dev/null 2>"$folder/log" ||
+      fail "graph $graph: $(cat "$folder/log")"
+    [ "$(wc -c <"$folder/graph.png")" -gt 20000 ] || fail "graph $graph has only $(wc -c <"$folder/graph.png") bytes"
+    # shellcheck disable=SC2086
+    env -u DISPLAY "$view" graph --scene $graph --size 800x500 --out "$folder/again.png" >/dev/null 2>&1
+    cmp -s "$folder/graph.png" "$folder/again.png" || fail "graph $graph twice differs"
+  done
   for signal in INT TERM KILL; do
     # A job of its own, so that SIGINT is not ignored as in background jobs of scripts.
     env -u DISPLAY env --default-signal "$view" partitions --accel brute-force --scene soup:300000 --out "$folder/x.png" 2>/dev/null &
