@@ -175,7 +175,7 @@ run "$view" csg --solid swiss-cheese:40 --pick 300,450 --out a.json
 expect_exit 0
 
 graph=("$view" graph --scene levels:3)
-refuses 2 'left, right' "${graph[@]}" --select lefty --out a.png # lists names like it
+refuses 2 'such as left,' "${graph[@]}" --select lefty --out a.png # lists names like it
 refuses 2 'of 17 nodes' "${graph[@]}" --select '#17' --out a.png
 refuses 2 'of 17 nodes' "${graph[@]}" --select '' --out a.png
 refuses 2 'three numbers' "${graph[@]}" --select left --drag 1,2 --out a.png

@@ -140,8 +140,8 @@ TEST(GraphLayout, KeepsFramesApartAndWithin) {
         }
         EXPECT_EQ(parts.size(), static_cast<std::size_t>(has_one_tree ? count + 1 : 2 * count));
         for (const PanelFrame& a : parts) {
-          EXPECT_GT(a.width, 100);
-          EXPECT_GT(a.height, 100);
+          EXPECT_GT(a.width, 80);
+          EXPECT_GT(a.height, 80);
           EXPECT_GE(a.x, 0);
           EXPECT_GE(a.y, GraphLayout::top - 1);
           EXPECT_LE(a.x + a.width, layout.width());

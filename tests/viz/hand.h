@@ -25,15 +25,14 @@ class Hand {
     hold(x, y);
     let_go(x, y);
   }
-  void hold(int x, int y) { button(ButtonPress, ButtonPressMask, x, y); }
+  void hold(int x, int y) {
+    move(x, y);
+    button(ButtonPress, ButtonPressMask, x, y);
+  }
   void let_go(int x, int y) { button(ButtonRelease, ButtonReleaseMask, x, y); }
-  /// With the button held.
   void move(int x, int y) {
-    XEvent event{};
-    event.xmotion.type = MotionNotify;
-    event.xmotion.state = Button1Mask;
-    event.xmotion.x = x, event.xmotion.y = y;
-    send(event, PointerMotionMask);
+    XWarpPointer(display_, None, id(), 0, 0, 0, 0, x, y);
+    answer();
   }
   void press(KeySym key) {
     for (const int type : {KeyPress, KeyRelease}) {

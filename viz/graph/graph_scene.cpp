@@ -96,7 +96,7 @@ Scene make_known_scene(const std::string& spec, const std::filesystem::path& dat
 }
 
 bool ends_with_steps(const std::string& path, const std::string& text) {
-  return path == text || path.ends_with(text.front() == '/' ? text : "/" + text);
+  return path == text || (text.front() != '/' && path.ends_with("/" + text));
 }
 
 }  // namespace

@@ -20,12 +20,19 @@ class Choice {
     std::vector<NodeId> way;
     for (NodeId node = focus; node != root_node; node = graph_.parent(node)) way.push_back(node);
     std::reverse(way.begin(), way.end());
-    // Each may need a row for its siblings as well.
-    const std::size_t room = most_ / 2 - 1;
-    const std::size_t first = way.size() <= room ? way.size() : room / 3, last = way.size() - (room - room / 3);
+    const auto with_siblings = std::count_if(way.begin(), way.end(), [&](NodeId node) {
+      const NodeId first = graph_.first_child(graph_.parent(node));
+      return first != node || graph_.next_sibling(first) != no_node;
+    });
+    const bool fits = 1 + way.size() + static_cast<std::size_t>(with_siblings) <= most_;
+    const std::size_t room = most_ / 2 - 1;  // each may need a row for its siblings as well
+    const std::size_t first = room / 3, last = way.size() - std::min(way.size(), room - room / 3);
     NodeId above = root_node;
     for (std::size_t i = 0; i < way.size(); ++i) {
-      if (way.size() > room && i >= first && i < last) continue;
+      if (!fits && i >= first && i < last) {
+        states_[way[i]].is_left_out = true;
+        continue;
+      }
       add(way[i], above);
       above = way[i];
     }
@@ -35,6 +42,7 @@ class Choice {
   bool show_children(NodeId node, std::size_t most) {
     std::size_t count = 0;
     for (NodeId child = graph_.first_child(node); child != no_node; child = graph_.next_sibling(child)) {
+      if (states_[child].is_left_out) continue;
       if (states_[child].is_shown) {
         ++count;
         continue;
@@ -96,6 +104,7 @@ class Choice {
  private:
   struct State {
     bool is_shown = false;
+    bool is_left_out = false;  ///< In the middle of the way to the focus, and stays hidden.
     bool has_below = false;    ///< Something below it is shown.
     std::uint32_t hidden = 0;  ///< Below it, and not below what is shown there.
     NodeId above = no_node;    ///< The nearest one that is shown.
@@ -117,7 +126,7 @@ class Choice {
 
   void add(NodeId node, NodeId above) {
     rows_ += cost_of(node, above);
-    states_[node] = {true, false, shape_.sizes[node] - 1, above};
+    states_[node] = {true, false, false, shape_.sizes[node] - 1, above};
     if (above == no_node) return;
     states_[above].has_below = true;
     states_[above].hidden -= shape_.sizes[node];
