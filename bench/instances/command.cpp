@@ -42,7 +42,7 @@ std::string parse(int argc, const char* const* argv, InstancePlan& plan) {
       ->type_name("ACCEL.OPTION=VALUE")
       ->allow_extra_args(false);
   app.add_option("--lower", lower, "The structure of the mesh (box-tree)")->type_name("NAME[:OPTION=VALUE,...]");
-  app.add_option("--precision", levels, "fast or watertight (watertight)")->type_name("LEVEL");
+  app.add_option("--precision", levels, "fast or watertight (watertight)")->type_name("LEVEL")->delimiter(',');
   auto* const rays = app.add_option("--rays", plan.rays, "Of each set, 100 to 10,000,000 (20,000; quick 4000)")
                          ->type_name("N")
                          ->check(CLI::Range(100, 10'000'000));

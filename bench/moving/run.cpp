@@ -87,7 +87,7 @@ class Run {
       const MovingTracer::Counts refits = refitted.counts(), builds = rebuilt.counts();
       const auto expected = rebuilt.show(frames_[i], rays_);
       auto hits = refitted.show(frames_[i], rays_);
-      if (upper.label == plan_.spoiled) hits[0].t += 1;
+      if (upper.label == plan_.spoiled) hits[0].prim_id ^= 1;
       if (hits != expected || cheaper.show(frames_[i], rays_) != expected) {
         throw WrongHits(upper.label + " is wrong, so no times are shown: frame " + std::to_string(i + 1) +
                         " is another picture refitted than built anew");

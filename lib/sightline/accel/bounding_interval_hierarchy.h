@@ -291,5 +291,6 @@ void BoundingIntervalHierarchy::show(See& see, std::uint32_t number, const Aabb&
 }
 
 static_assert(Refittable<BoundingIntervalHierarchy>);
+static_assert(Accelerator<BoundingIntervalHierarchy>);
 
 }  // namespace sightline

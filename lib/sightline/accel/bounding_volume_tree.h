@@ -380,6 +380,7 @@ using CylinderTree = BoundingVolumeHierarchy<BoundingCylinder>;
 
 static_assert(BoxTree::node_bytes == 32 && SphereTree::node_bytes == 24 && CylinderTree::node_bytes == 40);
 static_assert(Refittable<BoxTree>);
+static_assert(Accelerator<BoxTree>);
 static_assert(Accelerator<SphereTree>);
 static_assert(Accelerator<CylinderTree>);
 

@@ -57,5 +57,6 @@ class BruteForce {
 };
 
 static_assert(Refittable<BruteForce>);
+static_assert(Accelerator<BruteForce>);
 
 }  // namespace sightline

@@ -169,5 +169,6 @@ inline WideTree WideTree::refit(WideTree tree, const Primitives& primitives) {
 }
 
 static_assert(Refittable<WideTree>);
+static_assert(Accelerator<WideTree>);
 
 }  // namespace sightline
