@@ -1,6 +1,7 @@
 #pragma once
 /// The one implementation of InstanceTracer, over any structure.
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -15,7 +16,10 @@ namespace sightline::detail {
 
 inline std::vector<Aabb> boxes_of(const Instances& instances) {
   std::vector<Aabb> boxes(instances.size());
-  tbb::parallel_for(std::uint32_t(0), instances.size(), [&](std::uint32_t i) { boxes[i] = instances.bounds(i); });
+  constexpr std::size_t task_size = 8192;  // fewer are not worth waking a thread
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, instances.size(), task_size), [&](const auto& part) {
+    for (std::uint32_t i = part.begin(); i < part.end(); ++i) boxes[i] = instances.bounds(i);
+  });
   return boxes;
 }
 
