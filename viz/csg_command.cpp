@@ -39,10 +39,6 @@ Examples
       a solid of one's own: {"op":"diff","args":[{"prim":"box","lo":[-1,-1,-1],"hi":[1,1,1],"material":"oak"},
                                                  {"prim":"sphere","c":[0,0,1],"r":0.5}]})";
 
-[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected) {
-  throw UsageError(option + " " + text + ": expected " + expected);
-}
-
 Ray<double> parse_ray(const std::string& text) {
   const auto v = finite_numbers(text, 6, ',');
   if (!v) refuse("--ray", text, "OX,OY,OZ,DX,DY,DZ, six finite numbers: an origin and a direction");
@@ -123,16 +119,6 @@ Form form_of(const std::string& out) {
   refuse("--out", out, "a name that ends in .png (picture) or .json (data)");
 }
 
-PictureSize parse_picture_size(const std::string& text) {
-  const PictureSize size = parse_size(text);
-  if (size.width < CsgLayout::lowest_width || size.height < CsgLayout::lowest_height) {
-    refuse("--size", text,
-           "at least " + std::to_string(CsgLayout::lowest_width) + "x" + std::to_string(CsgLayout::lowest_height) +
-               ", so that the ladder can be read");
-  }
-  return size;
-}
-
 }  // namespace
 
 CsgCommand::CsgCommand(CLI::App& program) : command_(program.add_subcommand("csg", about)) {
@@ -160,7 +146,7 @@ CsgCommand::CsgCommand(CLI::App& program) : command_(program.add_subcommand("csg
 
 int CsgCommand::run() const {
   if (is_list_) return list();
-  const PictureSize size = parse_picture_size(size_);
+  const PictureSize size = parse_size_of<CsgLayout>(size_);
   const Level level = parse_level(precision_);
   std::optional<Ray<double>> ray;
   if (command_->count("--ray")) ray = parse_ray(ray_);

@@ -96,6 +96,9 @@ int show_partitions(const Arguments& arguments, const CLI::App& command) {
     filter.deepest = range.deepest;
   }
   if (!arguments.slice.empty()) filter.slice = parse_slice(arguments.slice);
+  require_number("--azimuth", arguments.azimuth);
+  require_number("--elevation", arguments.elevation);
+  require_number("--zoom", arguments.zoom);
   View view;
   if (command.count("--azimuth")) view.azimuth = arguments.azimuth;
   if (command.count("--elevation")) view.elevation = arguments.elevation;

@@ -7,10 +7,6 @@
 namespace sightline::viz {
 namespace {
 
-[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected) {
-  throw UsageError(option + " " + text + ": expected " + expected);
-}
-
 /// The whole of `text` as a number from `lowest` to `highest`; nothing where it is not one.
 template <class T>
 std::optional<T> number(std::string_view text, T lowest, T highest) {
@@ -99,6 +95,23 @@ OutputKind output_kind(const std::string& path) {
   if (extension == ".vtp") return OutputKind::vtp;
   if (extension == ".gltf") return OutputKind::gltf;
   refuse("--out", path, "a name that ends in .png (picture), .vtp or .gltf (data)");
+}
+
+PictureSize parse_size(const std::string& text, const PictureSize& least) {
+  const PictureSize size = parse_size(text);
+  if (size.width < least.width || size.height < least.height) {
+    refuse("--size", text,
+           "at least " + std::to_string(least.width) + "x" + std::to_string(least.height) + ", so that it can be read");
+  }
+  return size;
+}
+
+void refuse(const std::string& option, const std::string& text, const std::string& expected) {
+  throw UsageError(option + " " + text + ": expected " + expected);
+}
+
+void require_number(const std::string& option, double value) {
+  if (!std::isfinite(value)) refuse(option, value != value ? "nan" : "inf", "a number");
 }
 
 }  // namespace sightline::viz

@@ -15,6 +15,12 @@ class UsageError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+/// \throws UsageError "--zoom nan: expected ..."
+[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected);
+
+/// CLI::Range lets pass what is no number; this does not. \throws UsageError
+void require_number(const std::string& option, double value);
+
 struct DepthRange {
   int shallowest = 0;
   std::optional<int> deepest;
@@ -33,6 +39,13 @@ struct PictureSize {
   int width, height;
 };
 PictureSize parse_size(const std::string& text);
+/// The same, no smaller than `least`. \throws UsageError
+PictureSize parse_size(const std::string& text, const PictureSize& least);
+/// The same for what can be read from Picture::lowest_width and lowest_height on. \throws UsageError
+template <class Picture>
+PictureSize parse_size_of(const std::string& text) {
+  return parse_size(text, {Picture::lowest_width, Picture::lowest_height});
+}
 
 /// What --out asks for, by the extension of its name.
 enum class OutputKind { window, png, vtp, gltf };

@@ -45,6 +45,9 @@ refuses 2 NAME "$view" partitions --accel '' --out a.vtp
 refuses 2 'one structure' "$view" partitions --accel kd-tree,bih --out a.vtp
 refuses 2 max_leaf_size "$view" partitions --accel kd-tree:max_leaf_size=-1 --out a.vtp
 refuses 2 threads "${partitions[@]}" --threads -1 --out a.vtp
+refuses 2 'a number' "${partitions[@]}" --zoom nan --out a.vtp
+refuses 2 'a number' "${partitions[@]}" --azimuth nan --out a.vtp
+refuses 2 'a number' "${partitions[@]}" --elevation nan --out a.vtp
 refuses 2 no-such-tree "$view" partitions --accel no-such-tree --scene teapot --out a.vtp
 refuses 2 brute-force "$view" partitions --accel no-such-tree --scene teapot --out a.vtp # lists what there is
 refuses 2 no_such_field "${partitions[@]}" --set kd-tree.no_such_field=1 --out a.vtp
@@ -196,7 +199,7 @@ refuses 2 'from 0 to 4' "${graph[@]}" --level 9 --out a.png
 refuses 2 'at least 800x500' "${graph[@]}" --size 640x480 --out a.png
 refuses 2 .png "${graph[@]}" --out a.vtp
 refuses 2 .png "${graph[@]}" --out ''
-refuses 2 range "${graph[@]}" --zoom nan --out a.png
+refuses 2 'a number' "${graph[@]}" --zoom nan --out a.png
 refuses 2 rocket "$view" graph --scene octopus --out a.png
 refuses 1 no-such.json "$view" graph --scene no-such.json --out a.png
 refuses 1 /dev/null "${graph[@]}" --out /dev/null/a.png

@@ -38,10 +38,6 @@ In the window: a click on a thing or a row chooses a node; drag a thing to move 
 the view; the wheel comes closer; Up and Down choose the parent and the first child, B other bounds, + and - deeper and
 shallower levels, T hides things, Space plays the motion, R brings all back, Q closes.)";
 
-[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected) {
-  throw UsageError(option + " " + text + ": expected " + expected);
-}
-
 BoundKind parse_kind(const std::string& text) {
   std::string names;
   for (const BoundKind kind : bound_kinds) {
@@ -69,16 +65,6 @@ Times parse_times(const std::string& text) {
   if (!v || std::abs((*v)[0]) > 1e6 || std::abs((*v)[1]) > 1e6 || (*v)[0] > (*v)[1])
     refuse("--time", text, "T0:T1, two numbers of seconds from -1e6 to 1e6, T0 not above T1; as in 0:2.5");
   return {(*v)[0], (*v)[1]};
-}
-
-PictureSize parse_picture_size(const std::string& text) {
-  const PictureSize size = parse_size(text);
-  if (size.width < GraphLayout::lowest_width || size.height < GraphLayout::lowest_height) {
-    refuse("--size", text,
-           "at least " + std::to_string(GraphLayout::lowest_width) + "x" + std::to_string(GraphLayout::lowest_height) +
-               ", so that the tree can be read");
-  }
-  return size;
 }
 
 }  // namespace
@@ -125,14 +111,12 @@ GraphCommand::GraphCommand(CLI::App& program, const std::string& data_folder)
 
 int GraphCommand::run() const {
   const bool has_drag = command_->count("--drag") > 0, has_time = command_->count("--time") > 0;
-  const PictureSize size = parse_picture_size(size_);
+  const PictureSize size = parse_size_of<GraphLayout>(size_);
   GraphLook look;
   look.kind = parse_kind(bounds_);
-  // CLI::Range lets pass what is no number.
-  for (const auto& [option, value] :
-       {std::pair("--azimuth", azimuth_), {"--elevation", elevation_}, {"--zoom", zoom_}}) {
-    if (!std::isfinite(value)) refuse(option, short_number(value), "a number in its range");
-  }
+  require_number("--azimuth", azimuth_);
+  require_number("--elevation", elevation_);
+  require_number("--zoom", zoom_);
   look.azimuth = azimuth_, look.elevation = elevation_, look.zoom = zoom_;
   look.has_things = !has_bounds_only_;
   std::optional<DepthRange> levels;

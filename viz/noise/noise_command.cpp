@@ -38,10 +38,6 @@ Examples
 In the window: drag to turn what is in space; Left and Right move the slice, Space takes the next seed, E the other
 ease, 1 to 8 show one panel and 0 all, Q closes.)";
 
-[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected) {
-  throw UsageError(option + " " + text + ": expected " + expected);
-}
-
 std::optional<double> number(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -76,16 +72,6 @@ std::optional<NoisePanel> parse_panel(const std::string& text) {
   refuse("--show", text, "one of " + names);
 }
 
-PictureSize parse_picture_size(const std::string& text) {
-  const PictureSize size = parse_size(text);
-  if (size.width < NoisePicture::lowest_width || size.height < NoisePicture::lowest_height) {
-    refuse("--size", text,
-           "at least " + std::to_string(NoisePicture::lowest_width) + "x" +
-               std::to_string(NoisePicture::lowest_height) + ", so that it can be read");
-  }
-  return size;
-}
-
 bool is_data(const std::string& out) {
   const std::string extension = std::filesystem::path(out).extension().string();
   if (extension != ".png" && extension != ".vti")
@@ -114,7 +100,7 @@ NoiseCommand::NoiseCommand(CLI::App& program) : command_(program.add_subcommand(
 }
 
 int NoiseCommand::run() const {
-  const PictureSize size = parse_picture_size(size_);
+  const PictureSize size = parse_size_of<NoisePicture>(size_);
   if (!(extent_ >= 0.01 && extent_ <= 1000)) refuse("--extent", std::to_string(extent_), "0.01 to 1000");
   NoiseLook look{NoiseField(field_.options())};
   look.extent = extent_;

@@ -47,21 +47,6 @@ Examples
   sightline-view normals --ease cubic --out creases.png
   sightline-view normals --fractal fbm --frequency 2 --amplitude 0.15 --out rough.png)";
 
-[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected) {
-  throw UsageError(option + " " + text + ": expected " + expected);
-}
-
-template <class Picture>
-PictureSize parse_picture_size(const std::string& text) {
-  const PictureSize size = parse_size(text);
-  if (size.width < Picture::lowest_width || size.height < Picture::lowest_height) {
-    refuse("--size", text,
-           "at least " + std::to_string(Picture::lowest_width) + "x" + std::to_string(Picture::lowest_height) +
-               ", so that it can be read");
-  }
-  return size;
-}
-
 /// Whether a picture goes to a file, which can be written; otherwise there is a display.
 bool is_file(const std::string& out) {
   if (out.empty()) {
@@ -102,7 +87,7 @@ WoodCommand::WoodCommand(CLI::App& program) : command_(program.add_subcommand("w
 
 int WoodCommand::run() const {
   if (is_list_) return list();
-  const PictureSize size = parse_picture_size<WoodPicture>(size_);
+  const PictureSize size = parse_size_of<WoodPicture>(size_);
   const Texture texture = make_texture(texture_);
   if (is_tuning_ && !std::holds_alternative<Wood>(texture.any())) refuse("--tune with --texture", texture_, "wood");
   const WoodPicture picture{texture_, is_tuning_, size.width, size.height};
@@ -132,7 +117,7 @@ NormalsCommand::NormalsCommand(CLI::App& program)
 }
 
 int NormalsCommand::run() const {
-  const PictureSize size = parse_picture_size<NormalsPicture>(size_);
+  const PictureSize size = parse_size_of<NormalsPicture>(size_);
   if (!(amplitude_ >= 0 && amplitude_ <= 0.5)) refuse("--amplitude", std::to_string(amplitude_), "0 to 0.5");
   FieldOptions options = field_.options();
   if (options.noise.kind == NoiseKind::white) refuse("--kind", "white", "noise that has a gradient");
