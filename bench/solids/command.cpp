@@ -73,7 +73,7 @@ std::string parse(int argc, const char* const* argv, SolidPlan& plan) {
       ->type_name("solid.OPTION=VALUE")
       ->allow_extra_args(false);
   app.add_option("--accel", plan.accelerator,
-                 "Structure over solids and operands (none over one solid, bih over more, box-tree over operands)")
+                 "Structure over solids and operands (bih over solids, box-tree over operands)")
       ->type_name("NAME");
   app.add_option("--peer", peer, "povray, or none (povray, where it is installed)")->type_name("NAME");
   auto* const rounds =
