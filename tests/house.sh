@@ -19,7 +19,7 @@ csg     accel shape math | glm
 noise   math | glm
 texture noise io math | glm OpenImageIO
 scene   shape csg texture io math | glm tbb
-render  scene query accel texture shape math | glm tbb
+render  scene query accel csg texture shape io math | glm tbb
 io      math shape | glm assimp OpenImageIO nlohmann sys
 '
 # A structure is a header of accel/ that ends with static_assert(Accelerator<...>). Only registry.h includes structures; a
