@@ -114,7 +114,7 @@ class Painter {
     const auto after = std::upper_bound(firsts_.begin(), firsts_.end(), hit.prim_id);
     const auto instance = static_cast<std::uint32_t>(after - firsts_.begin() - 1);
     const auto local = static_cast<std::uint32_t>(hit.prim_id - firsts_[instance]);
-    const SceneInstances::Origin& origin = flat_.origins[instance];
+    const SceneOrigin& origin = flat_.origins[instance];
     const auto& geometry = std::get<MeshGeometry>(scene_.geometries[scene_.graph.geometry(origin.node)].shape);
     auto [a, b, c] = geometry.mesh->triangles()[local];
     if (flat_.instances.placements()[instance].is_mirroring()) std::swap(b, c);  // as the flattened mesh lists them
