@@ -14,7 +14,8 @@ std::uint64_t sum_of(const TraversalStats& stats) { return stats.nodes + stats.l
 
 }  // namespace
 
-TraceWorld::TraceWorld(const Scene& scene, const WorldSettings& settings, const SceneFilter& takes) {
+TraceWorld::TraceWorld(const Scene& scene, const WorldSettings& settings, const SceneFilter& takes)
+    : level_(settings.level) {
   SceneInstances meshes = instances_of(scene, takes);
   SceneSolids solids = solids_of(scene, takes);
   instances_ = std::make_shared<const Instances>(std::move(meshes.instances));

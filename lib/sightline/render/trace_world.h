@@ -55,6 +55,7 @@ class TraceWorld {
   bool is_solid(std::uint32_t item) const { return item >= instances_->size(); }
   const Solid& solid(std::uint32_t item) const { return *solids_->solids()[item - instances_->size()]; }
 
+  Level level() const { return level_; }
   const Aabb& bounds() const { return bounds_; }
   /// Of the structures, leaves and placements.
   std::size_t memory_bytes() const;
@@ -75,6 +76,7 @@ class TraceWorld {
   std::unique_ptr<SolidTracer> solids_;
   std::vector<SceneOrigin> origins_;
   Aabb bounds_;
+  Level level_;
 };
 
 }  // namespace sightline
