@@ -13,10 +13,12 @@ double cosine_of_degrees(double degrees) { return std::cos(degrees * std::number
 
 std::vector<Lamp> lamps_of(const Scene& scene) {
   std::vector<Lamp> lamps;
-  for (const Light& light : scene.lights) {
+  for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+    const Light& light = scene.lights[i];
     if (!scene.graph.is_shown(light.node)) continue;
     const Transform world = scene.graph.world(light.node);
     Lamp lamp;
+    lamp.light = i;
     lamp.position = world.point(Vec3d(0));
     lamp.axis = world.vector({0, 0, -1});
     if (!normalize_safely(lamp.axis)) continue;

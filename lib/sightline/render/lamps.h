@@ -2,6 +2,7 @@
 /// Lights of a scene, as surfaces ask them.
 
 #include <cmath>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <limits>
 #include <span>
@@ -16,10 +17,11 @@ struct Lamp {
   enum class Kind : std::uint8_t { point, directional, spot, area };
 
   Kind kind = Kind::point;
-  Vec3d position{0};           ///< The middle of an area.
-  Vec3d axis{0, 0, -1};        ///< Where it shines, of unit length.
-  Vec3d right{0}, up{0};       ///< Of an area, its whole edges.
-  Color strength{1};           ///< Radiant intensity, irradiance, or radiance.
+  std::uint32_t light = no_item;  ///< Its number in the scene, if it is of the scene.
+  Vec3d position{0};              ///< The middle of an area.
+  Vec3d axis{0, 0, -1};           ///< Where it shines, of unit length.
+  Vec3d right{0}, up{0};          ///< Of an area, its whole edges.
+  Color strength{1};              ///< Radiant intensity, irradiance, or radiance.
   double cos_inner = 1, cos_outer = 0;
   double area = 0;
 
@@ -28,8 +30,8 @@ struct Lamp {
 
 /// What a lamp, or the part of it that was chosen, would send to a point if nothing were in between.
 struct LampLight {
-  Vec3d to_lamp{0};                                         ///< From the point, of unit length.
-  Color irradiance{0};                                      ///< On a surface that faces it.
+  Vec3d to_lamp{0};     ///< From the point, of unit length.
+  Color irradiance{0};  ///< On a surface that faces it.
   double distance = std::numeric_limits<double>::infinity();
 };
 

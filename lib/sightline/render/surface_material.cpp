@@ -35,7 +35,7 @@ Effects SurfaceMaterial::effects() const {
   add(is_emitting, Effect::emission);
   add(color_function, Effect::procedural_texture);
   add(color_image, Effect::image_texture);
-  add(normal_map, Effect::normal_map);
+  add(normal_map || dents, Effect::normal_map);
   return effects;
 }
 
@@ -72,6 +72,7 @@ MaterialTable::MaterialTable(const Scene& scene, std::span<const std::uint8_t> i
         const SurfaceTexture& texture = open(material.normal_map, true);
         if (texture.image) prepared.normal_map = &*texture.image;
       }
+      if (material.dents) prepared.dents.emplace(*material.dents);
     }
     materials_.push_back(std::move(prepared));
   }

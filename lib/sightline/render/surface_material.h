@@ -9,6 +9,7 @@
 
 #include "sightline/render/effect.h"
 #include "sightline/scene/scene.h"
+#include "sightline/texture/dents.h"
 #include "sightline/texture/image_texture.h"
 #include "sightline/texture/texture.h"
 
@@ -26,6 +27,7 @@ struct SurfaceMaterial {
   const Texture* color_function = nullptr;
   const ImageTexture* color_image = nullptr;
   const ImageTexture* normal_map = nullptr;
+  std::optional<Dents> dents;
 
   bool is_diffuse = true;  ///< Scatters light to all sides.
   bool has_coat = false;   ///< Reflects as a dielectric does: not a mere Lambert surface.

@@ -14,14 +14,6 @@ Vec3d unit_or(const Vec3d& v, const Vec3d& otherwise) {
   return normalize_safely(unit) ? unit : otherwise;
 }
 
-std::uint32_t material_named(const Scene& scene, const std::string& name, std::uint32_t otherwise) {
-  if (name.empty()) return otherwise;
-  for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
-    if (scene.materials[i].name == name) return i;
-  }
-  return otherwise;
-}
-
 /// The cube root of how volumes change on the way back.
 double length_scale(const Transform& to_world) {
   const Affine& back = to_world.inverse();
@@ -29,6 +21,14 @@ double length_scale(const Transform& to_world) {
 }
 
 }  // namespace
+
+std::uint32_t material_named(const Scene& scene, const std::string& name, std::uint32_t otherwise) {
+  if (name.empty()) return otherwise;
+  for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
+    if (scene.materials[i].name == name) return i;
+  }
+  return otherwise;
+}
 
 struct Surfaces::Place {
   std::array<std::uint32_t, 3> corners;
@@ -94,7 +94,7 @@ SurfacePoint Surfaces::locate(const Ray<double>& ray, const WorldHit& hit) const
 std::uint32_t Surfaces::material(const WorldHit& hit) const {
   if (!world_.is_solid(hit.item)) return world_.origin(hit.item).material;
   const Solid& solid = world_.solid(hit.item);
-  return materials_[items_[hit.item].first_material + solid.primitives()[hit.prim_id].material];
+  return material(hit.item, solid.primitives()[hit.prim_id].material);
 }
 
 Vec3d Surfaces::normal(const WorldHit& hit, const SurfacePoint& at) const {
@@ -126,6 +126,15 @@ Surfaces::ImagePlace Surfaces::image_place(const WorldHit& hit, const SurfacePoi
   const double area = glm::length(glm::cross(first, second));
   const double image_area = std::fabs((b - a).x * (c - a).y - (b - a).y * (c - a).x);
   return {found.mixed(uvs), area > 0 ? std::sqrt(image_area / area) : 0};
+}
+
+Vec3d Surfaces::dented(const WorldHit& hit, const SurfacePoint& at, const Vec3d& normal, const Dents& dents,
+                       double footprint) const {
+  const Transform& to_world = items_[hit.item].to_world;
+  const Local here = local(hit, at);
+  // Normals go to the shape by the transposed matrix, and back by that of the inverse.
+  const Vec3d flat = unit_or(to_world.matrix().covector(normal), normal);
+  return unit_or(to_world.normal(dents.normal(flat, here.point, here.scale * footprint)), normal);
 }
 
 TangentFrame Surfaces::tangent_frame(const WorldHit& hit, const SurfacePoint& at, const Vec3d& normal) const {

@@ -21,6 +21,9 @@ struct SurfacePoint {
   Vec3d beyond(const Vec3d& side) const { return point + (4 * error) * side; }
 };
 
+/// The material of that name, or `otherwise` for none and for the empty name.
+std::uint32_t material_named(const Scene& scene, const std::string& name, std::uint32_t otherwise);
+
 class Surfaces {
  public:
   /// Refers to both.
@@ -29,6 +32,10 @@ class Surfaces {
   SurfacePoint locate(const Ray<double>& ray, const WorldHit& hit) const;
   /// Number of its material, or no_item.
   std::uint32_t material(const WorldHit& hit) const;
+  /// The same of a solid's own material number.
+  std::uint32_t material(std::uint32_t item, std::uint32_t of_solid) const {
+    return materials_[items_[item].first_material + of_solid];
+  }
   /// The element's number.
   NodeId node(const WorldHit& hit) const { return world_.origin(hit.item).node; }
 
@@ -47,6 +54,9 @@ class Surfaces {
     double scale = 0;
   };
   ImagePlace image_place(const WorldHit& hit, const SurfacePoint& at) const;
+  /// The unit normal with dents in the shape's coordinates; `footprint` is a length in the world.
+  Vec3d dented(const WorldHit& hit, const SurfacePoint& at, const Vec3d& normal, const Dents& dents,
+               double footprint) const;
   /// The frame of a normal map around a unit normal.
   TangentFrame tangent_frame(const WorldHit& hit, const SurfacePoint& at, const Vec3d& normal) const;
 
