@@ -15,7 +15,7 @@ SceneInstances instances_of(const Scene& scene) {
   std::vector<Placement> placements;
   std::vector<std::uint32_t> materials(graph.size(), no_item);
 
-  graph.for_each([&](NodeId node, const Transform& world) {
+  graph.for_each_shown([&](NodeId node, const Transform& world) {
     materials[node] = graph.material(node);
     if (materials[node] == no_item && node != root_node) materials[node] = materials[graph.parent(node)];
     if (graph.geometry(node) == no_item) return;

@@ -10,8 +10,9 @@
 namespace sightline {
 
 /// The meshes of a scene where they stand, and the elements that they come from.
-///   Instances come in the depth-first order of their nodes, one a node that has a mesh of at least one triangle. A
-///   mesh that several nodes or geometries share is listed once, those that no node has are not listed.
+///   Instances come in the depth-first order of their nodes, one a node that is shown and has a mesh of at least one
+///   triangle. A mesh that several nodes or geometries share is listed once, those that no such node has are not
+///   listed.
 struct SceneInstances {
   struct Origin {
     NodeId node = no_node;             ///< Its geometry tells the normals and places in images.
@@ -20,7 +21,7 @@ struct SceneInstances {
 
   Instances instances;
   std::vector<Origin> origins;        ///< One for each instance.
-  std::uint32_t solids_left_out = 0;  ///< Nodes whose solid has no triangles.
+  std::uint32_t solids_left_out = 0;  ///< Nodes shown whose solid has no triangles.
 };
 
 /// Places each mesh by the product of its node's and its ancestors' transforms, root first, rounded to float once.
