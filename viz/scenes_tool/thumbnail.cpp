@@ -61,7 +61,7 @@ class Painter {
  private:
   void add_solids(Aabb& bounds) {
     std::vector<std::uint32_t> materials(scene_.graph.size(), no_item);
-    scene_.graph.for_each([&](NodeId node, const Transform& world) {
+    scene_.graph.for_each_shown([&](NodeId node, const Transform& world) {
       const std::uint32_t own = scene_.graph.material(node);
       materials[node] = own != no_item || node == root_node ? own : materials[scene_.graph.parent(node)];
       const std::uint32_t geometry = scene_.graph.geometry(node);

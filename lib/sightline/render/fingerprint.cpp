@@ -50,8 +50,8 @@ void add(Fingerprint& print, const SolidShape& shape) {
       [&](const auto& one) {
         using S = std::remove_cvref_t<decltype(one)>;
         if constexpr (std::is_same_v<S, std::shared_ptr<const ClosedMesh>>) {
-          print.add(one->mesh().positions());
-          print.add(one->mesh().triangles());
+          print.add(one->vertices());
+          print.add(one->triangles());
         } else {
           // Shapes are nothing but doubles.
           static_assert(std::is_trivially_copyable_v<S> && sizeof(S) % sizeof(double) == 0);

@@ -14,13 +14,13 @@ Scene posed_at(const Scene& scene, double time) {
   Scene posed = scene;
   std::vector<NodePose> poses;
   for (const Animation& animation : scene.animations) AnimationController(animation).pose(time, poses);
-  apply(poses, posed.graph);
+  sightline::apply(poses, posed.graph);
   return posed;
 }
 
 bool has_same_pose(const SceneGraph& a, const SceneGraph& b) {
   for (NodeId node = 0; node < a.size(); ++node) {
-    if (!(a.local(node) == b.local(node))) return false;
+    if (!(a.local(node).matrix() == b.local(node).matrix())) return false;
   }
   return true;
 }

@@ -78,7 +78,7 @@ class PictureSource {
 
   /// Adds the samples `range` of pixels of the tile, by their place in it, in increasing order. Facts that are
   /// asked for are set with sample 0, the work among them only `with_work`.
-  virtual void add_samples(TileBuffer& tile, std::span<const std::uint32_t> pixels, SampleRange range, bool counts_work,
+  virtual void add_samples(TileBuffer& tile, std::span<const std::uint32_t> pixels, SampleRange range, FactsAsked facts,
                            RenderCounters& counters) const = 0;
 };
 

@@ -13,7 +13,7 @@ template <class See>
 void for_each_element(const Scene& scene, const SceneFilter& takes, See&& see) {
   const SceneGraph& graph = scene.graph;
   std::vector<std::uint32_t> materials(graph.size(), no_item);
-  graph.for_each([&](NodeId node, const Transform& world) {
+  graph.for_each_shown([&](NodeId node, const Transform& world) {
     materials[node] = graph.material(node);
     if (materials[node] == no_item && node != root_node) materials[node] = materials[graph.parent(node)];
     if (graph.geometry(node) == no_item) return;

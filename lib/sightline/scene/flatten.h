@@ -22,12 +22,13 @@ struct SceneOrigin {
 using SceneFilter = std::function<bool(const SceneOrigin&)>;
 
 /// The meshes of a scene where they stand, and the elements that they come from.
-///   Instances come in the depth-first order of their nodes, one a node that has a mesh of at least one triangle. A
-///   mesh that several nodes or geometries share is listed once, those that no node has are not listed.
+///   Instances come in the depth-first order of their nodes, one a node that is shown and has a mesh of at least one
+///   triangle. A mesh that several nodes or geometries share is listed once, those that no such node has are not
+///   listed.
 struct SceneInstances {
   Instances instances;
   std::vector<SceneOrigin> origins;   ///< One for each instance.
-  std::uint32_t solids_left_out = 0;  ///< Nodes whose solid has no triangles.
+  std::uint32_t solids_left_out = 0;  ///< Nodes shown whose solid has no triangles.
 };
 
 /// Places each mesh by the product of its node's and its ancestors' transforms, root first, rounded to float once.
