@@ -86,8 +86,9 @@ Color Integrator<has>::color_at(const Shade& shade, const Path& path) {
   if constexpr (has.has(Effect::procedural_texture)) {
     if (material.color_function) {
       const StageClock clock(StageClock::of(times_, Effect::procedural_texture), StageClock::shading(times_));
-      const Surfaces::Local local = moment_->surfaces->local(shade.hit, shade.at);
-      color *= (*material.color_function)(local.point, Footprint(local.scale * footprint()));
+      const Surfaces& surfaces = *moment_->surfaces;
+      const Vec3d local = surfaces.local(shade.hit, shade.at);
+      color *= (*material.color_function)(local, surfaces.local_footprint(shade.hit, shade.at, footprint()));
       ++counters_[Effect::procedural_texture];
     }
   }

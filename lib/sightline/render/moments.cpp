@@ -92,6 +92,7 @@ std::unique_ptr<Moment> moment_of(Scene posed, const RenderSettings& settings) {
   WorldSettings of_world;
   if (!settings.accelerator.empty()) of_world.accelerator = of_world.solid_accelerator = settings.accelerator;
   of_world.options = settings.options;
+  of_world.flatten_up_to = settings.flatten_up_to;
   of_world.level = settings.level;
   of_world.threads = settings.threads;
   moment->world = std::make_unique<TraceWorld>(scene, of_world);

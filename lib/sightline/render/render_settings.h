@@ -25,10 +25,11 @@ struct RenderSettings {
   Level level = Level::watertight;
   std::string accelerator;                      ///< Of the registry; empty: wide-tree over triangles, bih over solids.
   std::vector<TracerSettings::Option> options;  ///< Of the structure.
-  std::string camera;                           ///< By its name; empty: the scene's first one.
-  double time = 0;                              ///< Of the scene's animations, in seconds.
-  bool knows_all = false;                       ///< Runs the integrator that knows every effect, for comparison.
-  int threads = 0;                              ///< 0: as many as there are.
+  std::uint64_t flatten_up_to = std::uint64_t{1} << 21;  ///< Triangles that are put into one mesh, for speed.
+  std::string camera;                                    ///< By its name; empty: the scene's first one.
+  double time = 0;                                       ///< Of the scene's animations, in seconds.
+  bool knows_all = false;  ///< Runs the integrator that knows every effect, for comparison.
+  int threads = 0;         ///< 0: as many as there are.
 };
 
 }  // namespace sightline

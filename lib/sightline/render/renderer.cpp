@@ -26,8 +26,10 @@ std::vector<std::uint8_t> used_materials(const Moment& moment) {
       use(world.origin(i).material);
       continue;
     }
-    for (const Primitive& primitive : world.solid(i).primitives())
-      use(moment.surfaces->material(i, primitive.material));
+    const Solid& solid = world.solid(i);
+    for (const std::uint32_t primitive : primitives_in(solid)) {
+      use(moment.surfaces->material(i, solid.primitives()[primitive].material));
+    }
   }
   return is_used;
 }

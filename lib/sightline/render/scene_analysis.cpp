@@ -34,8 +34,9 @@ class Analyzer {
       }
       solids_.add(origin.node);
       std::vector<std::uint32_t> seen;
-      for (const Primitive& primitive : world().solid(i).primitives()) {
-        const std::uint32_t material = moment.surfaces->material(i, primitive.material);
+      const Solid& solid = world().solid(i);
+      for (const std::uint32_t primitive : primitives_in(solid)) {
+        const std::uint32_t material = moment.surfaces->material(i, solid.primitives()[primitive].material);
         if (std::find(seen.begin(), seen.end(), material) != seen.end()) continue;
         seen.push_back(material);
         made_of_[material].add(origin.node);

@@ -42,6 +42,18 @@ struct Surfaces::Place {
   }
 };
 
+std::vector<std::uint32_t> primitives_in(const Solid& solid) {
+  std::vector<std::uint32_t> primitives;
+  std::vector<const SolidNode*> open{&solid.root()};
+  while (!open.empty()) {
+    const SolidNode& node = *open.back();
+    open.pop_back();
+    if (node.is_primitive) primitives.push_back(node.primitive);
+    for (const std::uint32_t child : solid.children(node)) open.push_back(&solid.nodes()[child]);
+  }
+  return primitives;
+}
+
 Surfaces::Surfaces(const Scene& scene, const TraceWorld& world)
     // Level fast computes in float; above, t is within 2^-46 of itself.
     : scene_(scene), world_(world), solid_error_(world.level() == Level::fast ? 0x1p-18 : 0x1p-46) {
@@ -104,10 +116,17 @@ Vec3d Surfaces::normal(const WorldHit& hit, const SurfacePoint& at) const {
   return glm::dot(normal, at.outside) < 0 ? -normal : normal;
 }
 
-Surfaces::Local Surfaces::local(const WorldHit& hit, const SurfacePoint& at) const {
+Vec3d Surfaces::local(const WorldHit& hit, const SurfacePoint& at) const {
   const Item& item = items_[hit.item];
-  if (item.mesh) return {place(hit).mixed(item.mesh->mesh->positions()), item.scale};
-  return {item.to_world.inverse().point(at.point), item.scale};
+  if (item.mesh) return place(hit).mixed(item.mesh->mesh->positions());
+  return item.to_world.inverse().point(at.point);
+}
+
+Footprint Surfaces::local_footprint(const WorldHit& hit, const SurfacePoint& at, double width) const {
+  if (width == 0) return {};
+  const TangentFrame frame = frame_around(at.outside);
+  const Affine& back = items_[hit.item].to_world.inverse();
+  return {back.vector(width * frame.tangent), back.vector(width * frame.bitangent)};
 }
 
 Surfaces::ImagePlace Surfaces::image_place(const WorldHit& hit, const SurfacePoint& at) const {
@@ -131,10 +150,9 @@ Surfaces::ImagePlace Surfaces::image_place(const WorldHit& hit, const SurfacePoi
 Vec3d Surfaces::dented(const WorldHit& hit, const SurfacePoint& at, const Vec3d& normal, const Dents& dents,
                        double footprint) const {
   const Transform& to_world = items_[hit.item].to_world;
-  const Local here = local(hit, at);
   // Normals go to the shape by the transposed matrix, and back by that of the inverse.
   const Vec3d flat = unit_or(to_world.matrix().covector(normal), normal);
-  return unit_or(to_world.normal(dents.normal(flat, here.point, here.scale * footprint)), normal);
+  return unit_or(to_world.normal(dents.normal(flat, local(hit, at), items_[hit.item].scale * footprint)), normal);
 }
 
 TangentFrame Surfaces::tangent_frame(const WorldHit& hit, const SurfacePoint& at, const Vec3d& normal) const {

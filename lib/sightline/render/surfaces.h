@@ -5,6 +5,7 @@
 
 #include "sightline/render/surface_material.h"
 #include "sightline/render/trace_world.h"
+#include "sightline/texture/footprint.h"
 #include "sightline/texture/tangent_frame.h"
 
 namespace sightline {
@@ -24,6 +25,9 @@ struct SurfacePoint {
 /// The material of that name, or `otherwise` for none and for the empty name.
 std::uint32_t material_named(const Scene& scene, const std::string& name, std::uint32_t otherwise);
 
+/// Numbers of the primitives that are left in a solid: those below its root.
+std::vector<std::uint32_t> primitives_in(const Solid& solid);
+
 class Surfaces {
  public:
   /// Refers to both.
@@ -41,12 +45,10 @@ class Surfaces {
 
   /// The normal as shading takes it: interpolated where the mesh has normals of its own. On the side of `outside`.
   Vec3d normal(const WorldHit& hit, const SurfacePoint& at) const;
-  /// The point in coordinates of the shape, and what a length there is of one in the world, about.
-  struct Local {
-    Vec3d point;
-    double scale;
-  };
-  Local local(const WorldHit& hit, const SurfacePoint& at) const;
+  /// The point in coordinates of the shape.
+  Vec3d local(const WorldHit& hit, const SurfacePoint& at) const;
+  /// A square of that width in the world, around the point on the surface, in coordinates of the shape.
+  Footprint local_footprint(const WorldHit& hit, const SurfacePoint& at, double width) const;
   /// The place in images: a mesh's own, 0 where it has none; of a solid spherical around its origin. And by how much it
   /// moves for a length in the world, about.
   struct ImagePlace {
