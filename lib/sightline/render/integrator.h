@@ -53,19 +53,16 @@ struct RayWave {
 
 /// Light that arrives if nothing is in between.
 struct Sights {
+  struct Light {
+    Color color;
+    std::uint32_t slot;  ///< As that of a path.
+  };
   std::vector<Ray<double>> rays;
-  std::vector<Color> light;
-  std::vector<std::uint32_t> slots;
+  std::vector<Light> lights;
 
-  void add(const Ray<double>& ray, const Color& its_light, std::uint32_t slot) {
-    rays.push_back(ray);
-    light.push_back(its_light);
-    slots.push_back(slot);
-  }
   void clear() {
     rays.clear();
-    light.clear();
-    slots.clear();
+    lights.clear();
   }
 };
 
@@ -95,13 +92,20 @@ class Integrator {
   static constexpr bool reflects = has.has(Effect::mirror) || has.has(Effect::glossy);
   static constexpr bool is_specular = reflects || has.has(Effect::refraction);
 
+  static constexpr bool has_footprints =
+      has.has(Effect::procedural_texture) || has.has(Effect::image_texture) || has.has(Effect::normal_map);
+  /// Whether anything asks for lengths along rays, and for directions of unit length.
+  static constexpr bool has_lengths =
+      is_specular || has_footprints || has.has(Effect::absorption) || has.has(Effect::fog);
+
   /// A hit while it is shaded.
   struct Shade {
     const SurfaceMaterial& material;
     std::uint32_t number;  ///< Of the material.
     const WorldHit& hit;
     SurfacePoint at;
-    Vec3d to_viewer{0}, side{0}, normal{0};  ///< Of unit length; the side is that of the viewer, and so is the normal.
+    Vec3d to_viewer{0};        ///< Of unit length where the integrator has lengths.
+    Vec3d side{0}, normal{0};  ///< Of unit length, on the viewer's side.
     bool is_inside = false;
     Color color{0};
     double eta = 1;            ///< As fresnel() takes it.

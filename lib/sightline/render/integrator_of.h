@@ -54,35 +54,37 @@ template <Effects has>
 void Integrator<has>::look(const TileRect& rect, std::span<const std::uint32_t> places) {
   const Lens& lens = moment_->lens;
   const Camera& camera = lens.camera;
-  const double pixel_width = 2 * glm::length(camera.up) / camera.height;
+  const Vec3d column = camera.right / double(camera.width), row = camera.up / double(camera.height);
   const bool is_spread = scene_.effects.has(Effect::antialiasing);
-  current_.clear();
+  current_.rays.resize(places.size());
+  current_.paths.resize(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto slot = static_cast<std::uint32_t>(i);
     const int x = rect.x + static_cast<int>(places[i]) % rect.width;
     const int y = rect.y + static_cast<int>(places[i]) / rect.width;
     pixel_numbers_[i] =
         static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(camera.width) + static_cast<std::uint32_t>(x);
     radiance_[i] = Vec3d(0);
     glm::dvec2 within(0.5);
-    if (is_spread) within = sampler(static_cast<std::uint32_t>(i)).square(Draw::pixel);
-    const double across = (2 * (x + within.x) - camera.width) / camera.width;
-    const double upward = (camera.height - 2 * (y + within.y)) / camera.height;
-    Ray<double> ray;
+    if (is_spread) within = sampler(slot).square(Draw::pixel);
+    Ray<double>& ray = current_.rays[i];
+    ray = {};
     ray.origin = camera.eye;
-    ray.direction = camera.forward + across * camera.right + upward * camera.up;
+    ray.direction =
+        camera.forward + (2 * (x + within.x) - camera.width) * column + (camera.height - 2 * (y + within.y)) * row;
     if constexpr (has.has(Effect::depth_of_field)) {
-      if (lens.radius > 0) {
-        const glm::dvec2 on_lens = lens.radius * on_disk(sampler(static_cast<std::uint32_t>(i)).square(Draw::lens));
+      if (scene_.effects.has(Effect::depth_of_field)) {
+        const glm::dvec2 on_lens = lens.radius * on_disk(sampler(slot).square(Draw::lens));
         const Vec3d shift = on_lens.x * glm::normalize(camera.right) + on_lens.y * glm::normalize(camera.up);
         ray.origin += shift;
         ray.direction -= shift / lens.focus_distance;
         ++counters_[Effect::depth_of_field];
       }
     }
-    Path path;
-    path.slot = static_cast<std::uint32_t>(i);
-    path.spread = static_cast<float>(pixel_width / glm::length(ray.direction));
-    current_.add(ray, path);
+    Path& path = current_.paths[i];
+    path = {};
+    path.slot = slot;
+    if constexpr (has_footprints) path.spread = static_cast<float>(2 * glm::length(row) / glm::length(ray.direction));
   }
   counters_.camera_rays += places.size();
   if (is_spread) counters_[Effect::antialiasing] += places.size();
@@ -164,11 +166,11 @@ void Integrator<has>::see() {
       world.any_hits(sights.rays, is_stopped_);
       for (std::size_t i = 0; i < sights.rays.size(); ++i) {
         if (is_stopped_[i]) continue;
-        Color light = sights.light[i];
+        Color light = sights.lights[i].color;
         if constexpr (has.has(Effect::refraction)) {
           if (moment_->clear) light *= passed(sights.rays[i]);
         }
-        radiance_[sights.slots[i]] += Vec3d(light);
+        radiance_[sights.lights[i].slot] += Vec3d(light);
       }
       sights.clear();
     }

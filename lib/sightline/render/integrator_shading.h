@@ -38,12 +38,16 @@ void Integrator<has>::shade(const Ray<double>& ray, Path path, const WorldHit& h
   const std::uint32_t number = surfaces.material(hit);
   const SurfaceMaterial& material = (*scene_.materials)[number];
   Shade shade{material, number, hit, surfaces.locate(ray, hit)};
-  const double speed = std::sqrt(glm::dot(ray.direction, ray.direction));
-  const double length = hit.t * speed;
-  shade.to_viewer = ray.direction * (-1 / speed);
+  shade.to_viewer = -ray.direction;
+  [[maybe_unused]] double length = 0;
+  if constexpr (has_lengths) {
+    const double speed = std::sqrt(glm::dot(ray.direction, ray.direction));
+    length = hit.t * speed;
+    shade.to_viewer /= speed;
+    path.width += path.spread * static_cast<float>(length);
+  }
   shade.is_inside = glm::dot(shade.at.outside, shade.to_viewer) < 0;
   shade.side = shade.is_inside ? -shade.at.outside : shade.at.outside;
-  path.width += path.spread * static_cast<float>(length);
 
   Color light(0);
   if constexpr (has.has(Effect::absorption)) {
@@ -55,7 +59,7 @@ void Integrator<has>::shade(const Ray<double>& ray, Path path, const WorldHit& h
       }
     }
   }
-  in_fog(length, path, light);
+  if constexpr (has.has(Effect::fog)) in_fog(length, path, light);
   if (material.is_emitting) {
     light += path.weight * material.values.emission;
     ++counters_[Effect::emission];
@@ -124,6 +128,8 @@ Vec3d Integrator<has>::normal_at(const Shade& shade, const Path& path) {
       if (material.dents) normal = surfaces.dented(shade.hit, shade.at, normal, *material.dents, footprint);
     }
   }
+  // A flat one faces the viewer, but edge-on.
+  if (normal == shade.at.outside && glm::dot(shade.side, shade.to_viewer) > 0) return shade.side;
   return facing_normal(normal, shade.at.outside, shade.to_viewer);
 }
 
@@ -211,7 +217,7 @@ void Integrator<has>::shine(const Shade& shade, const Path& path, const Color& d
       const double cosine = glm::dot(shade.normal, from.to_lamp);
       if (!(cosine > 0) || !(glm::dot(shade.side, from.to_lamp) > 0)) continue;
       ++counters_[Effect::direct_light];
-      Color share = static_cast<float>(cosine / std::numbers::pi) * diffuse;
+      Color share = static_cast<float>(cosine * std::numbers::inv_pi) * diffuse;
       if constexpr (has.has(Effect::glossy)) {
         if (is_glossy) share += highlight(shade, from.to_lamp, cosine);
       }
@@ -271,11 +277,9 @@ void Integrator<has>::look_around(const Shade& shade, const Path& path, const Co
 template <Effects has>
 void Integrator<has>::add_sight(Sight sight, const Shade& shade, const Vec3d& direction, double length,
                                 const Color& light, std::uint32_t slot) {
-  Ray<double> ray;
-  ray.origin = shade.at.beyond(shade.side);
-  ray.direction = direction;
-  ray.t_max = length;
-  sights_[sight].add(ray, light, slot);
+  Sights& sights = sights_[sight];
+  sights.rays.push_back({shade.at.beyond(shade.side), direction, 0, length});
+  sights.lights.push_back({light, slot});
 }
 
 template <Effects has>
