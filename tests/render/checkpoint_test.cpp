@@ -23,9 +23,9 @@ std::string contents(const std::filesystem::path& path) {
 }
 
 /// Half way through a pass: every other tile of it.
-FilmState half_done(int width, int height, std::uint32_t samples, double bound) {
+FilmState half_done(int width, int height, std::uint32_t samples, double bound, FactsAsked asks = FactsAsked::none) {
   const FakeSource source(width, height, samples);
-  Film film(blank_film(width, height, samples, bound));
+  Film film(blank_film(width, height, samples, bound, asks));
   for (std::uint32_t end = 0; end < std::min(samples, 12u); end = film.state().end_of_pass) {
     EXPECT_TRUE(film.begin_pass());
     const bool is_last = film.state().end_of_pass >= std::min(samples, 12u);
@@ -33,7 +33,7 @@ FilmState half_done(int width, int height, std::uint32_t samples, double bound) 
     for (std::size_t i = 0; i < tiles.size(); i += is_last ? 2 : 1) {
       TileTask task = film.task(tiles[i]);
       RenderCounters counters;
-      expose_tile(task, source, true, counters);
+      expose_tile(task, source, counters);
       film.put(task, counters);
     }
   }
@@ -62,15 +62,15 @@ TEST(Checkpoint, GoesOnToTheSamePicture) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "a.checkpoint";
   const FakeSource source(33, 17, 64);
-  const FilmState blank = blank_film(33, 17, 64, 0.03);
+  const FilmState blank = blank_film(33, 17, 64, 0.03, FactsAsked::with_work);
   const std::atomic<bool> never{false};
   Film whole(blank);
-  expose(whole, source, {.counts_work = true}, never);
+  expose(whole, source, {}, never);
 
-  write_checkpoint(path, half_done(33, 17, 64, 0.03), source.fingerprint());
+  write_checkpoint(path, half_done(33, 17, 64, 0.03, FactsAsked::with_work), source.fingerprint());
   Film resumed(read_checkpoint(path, blank, source.fingerprint()));
   EXPECT_GT(resumed.progress().done, 0u);
-  expose(resumed, source, {.tile_side = 5, .counts_work = true}, never);
+  expose(resumed, source, {.tile_side = 5}, never);
   EXPECT_EQ(resumed.state(), whole.state());
 }
 
@@ -86,6 +86,7 @@ TEST(Checkpoint, OfAnotherPictureIsRefused) {
   says(blank_film(17, 16, 32, 0.01), fingerprint, "expected a checkpoint of 17 x 16 pixels, found 16 x 16");
   says(blank_film(16, 32, 32, 0.01), fingerprint, "expected a checkpoint of 16 x 32 pixels");
   says(blank_film(16, 16, 64, 0.01), fingerprint, "expected a checkpoint of 64 samples a pixel, found 32");
+  says(blank_film(16, 16, 32, 0.01, FactsAsked::seen), fingerprint, "the same --aov");
   says(blank_film(16, 16, 32, 0.25), fingerprint, "error bound 0.25");
   EXPECT_EQ(refusal(path, blank_film(16, 16, 32, 0.01), fingerprint), "");
 

@@ -36,7 +36,7 @@ class FakeSource : public PictureSource {
     return Vec3d(mean(x) + noise) * Vec3d(1, 1, 1);
   }
 
-  void add_samples(TileBuffer& tile, std::span<const std::uint32_t> pixels, SampleRange range, bool counts_work,
+  void add_samples(TileBuffer& tile, std::span<const std::uint32_t> pixels, SampleRange range, FactsAsked asks,
                    RenderCounters& counters) const override {
     for (std::uint32_t number = range.first; number < range.last; ++number) {
       for (const std::uint32_t place : pixels) {
@@ -44,9 +44,10 @@ class FakeSource : public PictureSource {
         const int y = tile.rect.y + static_cast<int>(place) / tile.rect.width;
         if (x >= width_ || y >= height_ || tile.sums[place].samples != number) throw std::logic_error("a wrong sample");
         tile.sums[place].add(sample(x, y, number));
-        if (number == 0) {
+        if (number == 0 && asks != FactsAsked::none) {
           const auto object = static_cast<std::uint32_t>(x);
-          tile.facts[place] = {static_cast<float>(1 + y), Vec3f(0, 0, 1), object, counts_work ? object + 1 : 0};
+          tile.facts[place] = {static_cast<float>(1 + y), Vec3f(0, 0, 1), object,
+                               asks == FactsAsked::with_work ? object + 1 : 0};
         }
         ++counters.camera_rays;
         ++counters[Effect::meshes];

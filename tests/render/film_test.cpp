@@ -14,8 +14,9 @@ namespace {
 
 const std::atomic<bool> never{false};
 
-FilmState exposed(const PictureSource& source, double error_bound, const ExposureOptions& options = {}) {
-  Film film(blank_film(source.width(), source.height(), source.samples(), error_bound));
+FilmState exposed(const PictureSource& source, double error_bound, const ExposureOptions& options = {},
+                  FactsAsked asks = FactsAsked::none) {
+  Film film(blank_film(source.width(), source.height(), source.samples(), error_bound, asks));
   EXPECT_TRUE(expose(film, source, options, never));
   return film.copy();
 }
@@ -64,7 +65,7 @@ TEST(Film, TilesCoverThePictureOnceFromTheMiddle) {
 
 TEST(Film, EveryPixelGetsAllSamplesWithoutABound) {
   const FakeSource source(37, 21, 11);
-  const FilmState film = exposed(source, 0, {.counts_work = true});
+  const FilmState film = exposed(source, 0, {}, FactsAsked::with_work);
   for (int y = 0; y < 21; ++y) {
     for (int x = 0; x < 37; ++x) {
       PixelSum sum;

@@ -36,7 +36,7 @@ class Writer {
  public:
   template <class T>
   void operator()(const T& value) {
-    static_assert(std::is_arithmetic_v<T>);
+    static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
   std::string bytes;
@@ -49,7 +49,7 @@ class Reader {
 
   template <class T>
   void operator()(T& value) {
-    static_assert(std::is_arithmetic_v<T>);
+    static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
     std::memcpy(&value, rest_.data(), sizeof value);
     rest_.remove_prefix(sizeof value);
   }
@@ -71,8 +71,7 @@ class Counter {
 template <class Archive, class State>
 void move_head(Archive& archive, State& film, std::uint64_t& fingerprint) {
   archive(film.width), archive(film.height), archive(film.samples), archive(film.error_bound);
-  archive(fingerprint);
-  archive(film.end_of_pass);
+  archive(fingerprint), archive(film.asks), archive(film.end_of_pass);
   for (auto& count : film.counters.counts) archive(count);
   archive(film.counters.camera_rays), archive(film.counters.rays_cut_off);
 }
@@ -148,6 +147,7 @@ FilmState read_checkpoint(const std::filesystem::path& path, const FilmState& bl
           std::to_string(film.samples));
   require(film.error_bound == blank.error_bound, "a checkpoint of the error bound " + std::to_string(blank.error_bound),
           std::to_string(film.error_bound));
+  require(film.asks == blank.asks, "a checkpoint with the same --aov", "other facts of pixels");
   require(found == fingerprint, "a checkpoint of this scene and these settings", "that of another picture");
   const std::size_t pixels = blank.sums.size();
   require(all.size() == head + pixels * pixel + tail, "a whole checkpoint", std::to_string(all.size()) + " bytes");

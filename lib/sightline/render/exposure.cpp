@@ -11,7 +11,7 @@ namespace sightline {
 namespace {
 
 /// In the order of the list, whichever thread is free taking the next one.
-void expose_tiles(Film& film, const PictureSource& source, const std::vector<TileRect>& tiles, bool counts_work,
+void expose_tiles(Film& film, const PictureSource& source, const std::vector<TileRect>& tiles,
                   const std::atomic<bool>& stops) {
   std::atomic<std::size_t> next{0};
   tbb::parallel_for(
@@ -21,7 +21,7 @@ void expose_tiles(Film& film, const PictureSource& source, const std::vector<Til
              i = next++) {
           TileTask task = film.task(tiles[i]);
           RenderCounters counters;
-          expose_tile(task, source, counts_work, counters);
+          expose_tile(task, source, counters);
           film.put(task, counters);
         }
       },
@@ -36,7 +36,7 @@ bool expose(Film& film, const PictureSource& source, const ExposureOptions& opti
   while (!stops) {
     const std::vector<TileRect> tiles = film.open_tiles(options.tile_side);
     if (!tiles.empty()) {
-      arena.execute([&] { expose_tiles(film, source, tiles, options.counts_work, stops); });
+      arena.execute([&] { expose_tiles(film, source, tiles, stops); });
     } else if (!film.begin_pass()) {
       return true;
     }

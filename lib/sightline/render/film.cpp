@@ -34,11 +34,11 @@ bool is_within_bound(const FilmState& film, int x, int y) {
 
 }  // namespace
 
-FilmState blank_film(int width, int height, std::uint32_t samples, double error_bound) {
+FilmState blank_film(int width, int height, std::uint32_t samples, double error_bound, FactsAsked asks) {
   if (width < 1 || height < 1 || samples < 1 || !(error_bound >= 0)) {
     throw std::invalid_argument("a film has pixels, samples, and an error bound that is not negative");
   }
-  FilmState film{width, height, samples, error_bound, 0, {}, {}, {}, {}};
+  FilmState film{width, height, samples, error_bound, asks, 0, {}, {}, {}, {}};
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   film.sums.resize(pixels);
   film.facts.resize(pixels);
@@ -68,12 +68,12 @@ double squared_error(const FilmState& film, int x, int y) {
   return (variance > pooled ? variance : pooled) / own.samples;
 }
 
-void expose_tile(TileTask& task, const PictureSource& source, bool counts_work, RenderCounters& counters) {
+void expose_tile(TileTask& task, const PictureSource& source, RenderCounters& counters) {
   // Pixels that earlier passes did not want have fewer samples than the others.
   std::map<std::uint32_t, std::vector<std::uint32_t>> by_samples;
   for (const std::uint32_t place : task.open) by_samples[task.tile.sums[place].samples].push_back(place);
   for (const auto& [first, places] : by_samples) {
-    source.add_samples(task.tile, places, {first, task.end_of_pass}, counts_work, counters);
+    source.add_samples(task.tile, places, {first, task.end_of_pass}, task.asks, counters);
   }
 }
 
@@ -132,7 +132,7 @@ std::vector<TileRect> Film::open_tiles(int side) const {
 }
 
 TileTask Film::task(const TileRect& rect) const {
-  TileTask task{TileBuffer(rect), {}, state_.end_of_pass};
+  TileTask task{TileBuffer(rect), {}, state_.end_of_pass, state_.asks};
   std::uint32_t place = 0;
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     for (int x = rect.x; x < rect.x + rect.width; ++x, ++place) {

@@ -18,8 +18,9 @@ namespace sightline {
 
 struct FilmState {
   int width = 0, height = 0;
-  std::uint32_t samples = 1;      ///< The most of a pixel; at least 1.
-  double error_bound = 0;         ///< See RenderSettings.
+  std::uint32_t samples = 1;  ///< The most of a pixel; at least 1.
+  double error_bound = 0;     ///< See RenderSettings.
+  FactsAsked asks = FactsAsked::none;
   std::uint32_t end_of_pass = 0;  ///< Samples of pixels that the pass under way wants, once it is over.
   std::vector<PixelSum> sums;     ///< Row by row from the top.
   std::vector<PixelFacts> facts;
@@ -31,7 +32,8 @@ struct FilmState {
 };
 
 /// One that nothing was exposed on. \throws std::invalid_argument unless all are positive and the bound not negative.
-FilmState blank_film(int width, int height, std::uint32_t samples, double error_bound);
+FilmState blank_film(int width, int height, std::uint32_t samples, double error_bound,
+                     FactsAsked asks = FactsAsked::none);
 
 /// Where the pass after one that ends with so many samples ends: powers of two, and from 4 on also half way between.
 std::uint32_t next_end_of_pass(std::uint32_t end, std::uint32_t samples);
@@ -46,10 +48,11 @@ struct TileTask {
   TileBuffer tile;
   std::vector<std::uint32_t> open;
   std::uint32_t end_of_pass = 0;
+  FactsAsked asks = FactsAsked::none;
 };
 
 /// Brings the open pixels of a tile to the end of the pass.
-void expose_tile(TileTask& task, const PictureSource& source, bool counts_work, RenderCounters& counters);
+void expose_tile(TileTask& task, const PictureSource& source, RenderCounters& counters);
 
 /// Samples, of all pixels together.
 struct FilmProgress {

@@ -60,6 +60,9 @@ struct SampleRange {
   std::uint32_t first = 0, last = 0;  ///< Without `last`.
 };
 
+/// What is wanted of facts; they take time.
+enum class FactsAsked : std::uint8_t { none, seen, with_work };
+
 /// Const, and safe to ask from many threads. A sample is a function of its pixel and its number alone: so a picture is
 /// the same bits whatever the tiles, their order, and the number of threads.
 class PictureSource {
@@ -73,9 +76,9 @@ class PictureSource {
   /// Of all that the picture depends on: what is half done is gone on with only where this is the same.
   virtual std::uint64_t fingerprint() const = 0;
 
-  /// Adds the samples `range` of pixels of the tile, by their place in it, in increasing order. The facts are set with
-  /// sample 0; the work among them only where `counts_work`, which takes time.
-  virtual void add_samples(TileBuffer& tile, std::span<const std::uint32_t> pixels, SampleRange range, bool counts_work,
+  /// Adds the samples `range` of pixels of the tile, by their place in it, in increasing order. Facts that are
+  /// asked for are set with sample 0, the work among them only `with_work`.
+  virtual void add_samples(TileBuffer& tile, std::span<const std::uint32_t> pixels, SampleRange range, FactsAsked facts,
                            RenderCounters& counters) const = 0;
 };
 
