@@ -23,8 +23,11 @@ TEST(Interruption, FirstSignalIsAWishAndTheNextEndsTheProgram) {
         raise(number);
         if (!Interruption::is_wished() || Interruption::signal() != number) _exit(2);
         if (!std::filesystem::exists(file.temporary())) _exit(3);
+        raise(next);  // at once: the same wish
+        usleep(250'000);
+        if (!std::filesystem::exists(file.temporary())) _exit(4);
         raise(next);
-        _exit(4);
+        _exit(5);
       }
       int status = 0;
       ASSERT_EQ(waitpid(child, &status, 0), child);

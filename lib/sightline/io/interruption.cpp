@@ -1,6 +1,7 @@
 #include "sightline/io/interruption.h"
 
 #include <signal.h>
+#include <time.h>
 
 #include <array>
 #include <cstddef>
@@ -17,6 +18,7 @@ std::array<struct sigaction, signals.size()> before;
 
 std::atomic<bool> Interruption::is_wished_{false};
 std::atomic<int> Interruption::signal_{0};
+std::atomic<std::int64_t> Interruption::time_{0};
 
 Interruption::Interruption() {
   is_wished_ = false;
@@ -41,9 +43,17 @@ void Interruption::restore() {
 }
 
 void Interruption::wish(int signal) {
-  signal_ = signal;
-  is_wished_ = true;
-  restore();
+  timespec clock{};
+  clock_gettime(CLOCK_MONOTONIC, &clock);
+  const std::int64_t now = std::int64_t{clock.tv_sec} * 1'000'000'000 + clock.tv_nsec;
+  if (!is_wished_) {
+    signal_ = signal;
+    time_ = now;
+    is_wished_ = true;
+  } else if (now - time_ >= 200'000'000) {
+    restore();
+    raise(signal);  // once this returns
+  }
 }
 
 }  // namespace sightline

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 
 namespace sightline {
 
 /// While this lives, the first signal of Ctrl-C (SIGINT) or SIGTERM is a wish to stop; the next one ends the program as
-/// ever, and temporary files with it (Leftovers). Signals that the program was started to ignore stay ignored. There
+/// ever, and temporary files with it (Leftovers). Within 0.2 seconds it is the same wish: timeout(1) and others signal
+/// both a program and its process group. Signals that the program was started to ignore stay ignored. There
 /// may be one at a time.
 class Interruption {
  public:
@@ -24,6 +26,7 @@ class Interruption {
 
   static std::atomic<bool> is_wished_;
   static std::atomic<int> signal_;
+  static std::atomic<std::int64_t> time_;  ///< Of the wish, in nanoseconds.
   static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 };
 
