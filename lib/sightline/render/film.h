@@ -19,7 +19,7 @@ namespace sightline {
 struct FilmState {
   int width = 0, height = 0;
   std::uint32_t samples = 1;  ///< The most of a pixel; at least 1.
-  double error_bound = 0;     ///< See RenderSettings.
+  double error_bound = 0;     ///< As RenderSettings has it; a share of luminances above 1. 0: none.
   FactsAsked asks = FactsAsked::none;
   std::uint32_t end_of_pass = 0;  ///< Samples of pixels that the pass under way wants, once it is over.
   std::vector<PixelSum> sums;     ///< Row by row from the top.

@@ -14,8 +14,7 @@ namespace sightline {
 struct RenderSettings {
   int width = 640, height = 480;
   std::uint32_t samples = 0;   ///< The most of a pixel; 0: as many as the scene says.
-  double error_bound = 0;      ///< Of a pixel's luminance, as its standard error, and as a share of it where it is
-                               ///< above 1; 0: every pixel gets all samples.
+  double error_bound = 0;      ///< Of a pixel's luminance, as its standard error; 0: every pixel gets all samples.
   int depth = 8;               ///< Of reflections and refractions, one after the other.
   double cut_off = 1.0 / 512;  ///< What could add less than this to a pixel is not traced (Hall); 0: all is.
   std::uint64_t seed = 0;      ///< Of all that is chosen by chance.
