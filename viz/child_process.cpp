@@ -29,7 +29,7 @@ namespace {
 
 }  // namespace
 
-int run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
+RunningProgram::RunningProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
   std::vector<std::string> words{program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
@@ -42,21 +42,39 @@ int run_program(const std::filesystem::path& program, const std::vector<std::str
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) fail("started", errno);
   const pid_t parent = getpid();
-  const pid_t child = fork();
-  if (child == 0) become_program(pointers.data(), ends[1], parent);
-  const int fork_error = child < 0 ? errno : 0;
+  child_ = fork();
+  if (child_ == 0) become_program(pointers.data(), ends[1], parent);
+  const int fork_error = child_ < 0 ? errno : 0;
   close(ends[1]);
   int error = 0;
-  while (child > 0 && read(ends[0], &error, sizeof error) < 0 && errno == EINTR) {
+  while (child_ > 0 && read(ends[0], &error, sizeof error) < 0 && errno == EINTR) {
   }
   close(ends[0]);
-  if (child < 0) fail("started", fork_error);
+  if (child_ < 0) fail("started", fork_error);
+  if (error == 0) return;  // exec has closed the pipe
+  wait();
+  fail("started", error);
+}
+
+int RunningProgram::wait() {
   int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) fail("waited for", errno);
+  while (waitpid(child_, &status, 0) < 0) {
+    if (errno != EINTR)
+      throw std::runtime_error(std::string("a program cannot be waited for: ") + std::strerror(errno));
   }
-  if (error != 0) fail("started", error);  // told just before exec would have closed the pipe
+  child_ = -1;
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+RunningProgram::~RunningProgram() {
+  if (child_ < 0) return;
+  kill(child_, SIGTERM);
+  while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+int run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
+  return RunningProgram(program, arguments).wait();
 }
 
 }  // namespace sightline::viz

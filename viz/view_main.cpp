@@ -13,6 +13,7 @@
 #include "viz/graph/graph_command.h"
 #include "viz/noise/noise_command.h"
 #include "viz/partition_window.h"
+#include "viz/picture_command.h"
 #include "viz/run_tool.h"
 #include "viz/structure.h"
 #include "viz/texture/texture_commands.h"
@@ -51,7 +52,7 @@ Examples
 
 Exit status: 0 done, 1 failure, 2 wrong usage.)";
 
-const std::string subcommand_names = "partitions, csg, graph, noise, wood, normals or list";
+const std::string subcommand_names = "partitions, csg, graph, noise, wood, normals, picture or list";
 
 struct Arguments {
   std::string accelerator = "kd-tree", scene = "teapot", out, depth, slice, size = "1200x900",
@@ -163,6 +164,7 @@ int run(int argc, char** argv) {
   NoiseCommand noise(app);
   WoodCommand wood(app);
   NormalsCommand normals(app);
+  PictureCommand picture(app);
   command->fallthrough();
   listing->fallthrough();
   command->add_option("--accel", arguments.accelerator, "The structure, see --list; default kd-tree")
@@ -220,6 +222,7 @@ int run(int argc, char** argv) {
   if (noise.is_chosen()) return noise.run();
   if (wood.is_chosen()) return wood.run();
   if (normals.is_chosen()) return normals.run();
+  if (picture.is_chosen()) return picture.run();
   if (!command->parsed()) throw UsageError("expected a subcommand: " + subcommand_names + " (see --help)");
   return show_partitions(arguments, *command);
 }

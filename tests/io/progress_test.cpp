@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace sightline {
 namespace {
 
@@ -45,6 +47,22 @@ TEST(Progress, IsSilentWhenTheStepIsOver) {
     std::this_thread::sleep_for(400ms);
   });
   EXPECT_EQ(text, "");
+}
+
+TEST(Progress, TellsTimeLeftAndMoreAtLongerIntervals) {
+  const std::string text = said(1ms, [](Progress& progress) {
+    for (int i = 0; i <= 18; ++i) {
+      progress.say("rendering", "detail", 0.5 + i / 40.0);
+      std::this_thread::sleep_for(100ms);
+    }
+  });
+  EXPECT_EQ(text.rfind("rendering: 50%, detail (0 s so far)\n", 0), 0u) << text;
+  EXPECT_NE(text.find(" s so far, "), std::string::npos) << text;
+  EXPECT_NE(text.find(" s left)\n"), std::string::npos) << text;
+  // Within two seconds: at once, and then each time that it took twice as long, looked at each half second.
+  const auto lines = std::count(text.begin(), text.end(), '\n');
+  EXPECT_GE(lines, 2);
+  EXPECT_LE(lines, 4);
 }
 
 }  // namespace

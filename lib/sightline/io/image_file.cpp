@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
 #include "sightline/io/file_bytes.h"
 #include "sightline/io/file_error.h"
-#include "sightline/io/output_file.h"
+#include "sightline/io/layered_image.h"
 #include "sightline/io/srgb.h"
 
 namespace sightline {
@@ -21,19 +20,6 @@ namespace {
 bool is_color(std::size_t i, int channels) {
   const bool has_alpha = channels == 2 || channels == 4;
   return !has_alpha || i % static_cast<std::size_t>(channels) != static_cast<std::size_t>(channels - 1);
-}
-
-bool holds_floats(const std::filesystem::path& path) {
-  constexpr auto extensions = std::to_array<std::string_view>({".exr", ".tif", ".tiff", ".hdr", ".pfm"});
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
-}
-
-/// The first line of what OpenImageIO says, whose texts may have several and name the temporary file.
-std::string first_line(const std::string& message) {
-  return message.empty() ? "a failure of OpenImageIO" : message.substr(0, message.find('\n'));
 }
 
 void check(const Image& image) {
@@ -52,32 +38,11 @@ void check(const Image& image) {
 }  // namespace
 
 void write_image(const std::filesystem::path& path, const Image& image) {
+  static const std::array<std::vector<std::string>, 4> names{
+      {{"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}}};
   check(image);
-  const std::unique_ptr<OIIO::ImageOutput> writer = OIIO::ImageOutput::create(path.string());
-  if (!writer) {
-    OIIO::geterror();  // else it would be printed when the program ends
-    throw FileError(path, 0, "an extension of an image format such as .png or .exr",
-                    path.extension().empty() ? "none" : path.extension().string());
-  }
-  const bool floats = holds_floats(path);
-  std::vector<float> encoded = image.pixels;
-  for (std::size_t i = 0; i < encoded.size() && !floats; ++i) {
-    if (is_color(i, image.channels)) encoded[i] = encode_srgb(encoded[i]);
-  }
-  OIIO::ImageSpec spec(image.width, image.height, image.channels,
-                       floats ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", floats ? "Linear" : "sRGB");
-  spec.attribute("oiio:UnassociatedAlpha", 1);  // colors are stored as they are, not divided by alpha
-  if (image.channels == 2) {
-    spec.channelnames = {"Y", "A"};
-    spec.alpha_channel = 1;
-  }
-
-  OutputFile output(path);
-  const bool written = writer->open(output.temporary().string(), spec) &&
-                       writer->write_image(OIIO::TypeDesc::FLOAT, encoded.data()) && writer->close();
-  if (!written) throw FileError(path, 0, "an image that can be written", first_line(writer->geterror()));
-  output.commit();
+  const std::vector<std::string>& channels = names[static_cast<std::size_t>(image.channels - 1)];
+  write_layers(path, {image.width, image.height, channels, image.pixels, false, {}});
 }
 
 Image read_image(const std::filesystem::path& path) {

@@ -4,14 +4,15 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
 namespace sightline {
 
 /// Says on stderr what is going on, and for how long, where it takes longer than `patience`: on a terminal in one line
-/// that is overwritten, elsewhere in one line a step. A thread of its own does so, because a step is often one long
-/// call. Safe to use from several threads.
+/// that is overwritten, elsewhere in one line a step, and more at ever longer intervals where the step tells how far it
+/// is. A thread of its own does so, because a step is often one long call. Safe to use from several threads.
 class Progress {
  public:
   using Clock = std::chrono::steady_clock;
@@ -23,11 +24,15 @@ class Progress {
 
   /// Another `step` begins, or the same one has come to another `detail`.
   void say(const std::string& step, const std::string& detail = {});
+  /// The same for a step that is done to this share, from 0 to 1: the time left is reckoned from when it was first
+  /// told.
+  void say(const std::string& step, const std::string& detail, double share);
   /// The step is over; before anything else is printed.
   void clear();
 
  private:
   void watch(const std::stop_token& stop);
+  void begin(const std::string& step, const std::string& detail);
   void show(Clock::time_point now);
 
   Clock::duration patience_;
@@ -36,9 +41,13 @@ class Progress {
   std::condition_variable_any change_;
   std::string step_, detail_;  ///< No step: nothing to say.
   Clock::time_point start_;    ///< Of the step.
-  bool is_shown_ = false;      ///< The step, in a line of its own.
-  bool is_line_open_ = false;  ///< On a terminal: a line that is to be overwritten.
-  std::jthread watcher_;       ///< Last, so that it ends before what it uses.
+  std::optional<double> share_;
+  double first_share_ = 0;
+  Clock::time_point share_start_;  ///< When the first share was told.
+  bool is_shown_ = false;          ///< The step, in a line of its own.
+  Clock::time_point next_line_;    ///< Elsewhere than on a terminal: when there is another one of the step.
+  bool is_line_open_ = false;      ///< On a terminal: a line that is to be overwritten.
+  std::jthread watcher_;           ///< Last, so that it ends before what it uses.
 };
 
 }  // namespace sightline

@@ -1,0 +1,52 @@
+/// sightline-render over a source that needs no renderer: noise, as slow as SIGHTLINE_FAKE_DELAY says, in microseconds
+/// a sample. The scene is read, and then not looked at.
+
+#include <cstdlib>
+#include <ostream>
+#include <thread>
+
+#include "tests/render/fake_source.h"
+#include "viz/render_tool/render_command.h"
+#include "viz/render_tool/source.h"
+#include "viz/run_tool.h"
+
+namespace sightline::render_tool {
+namespace {
+
+class SlowSource : public FakeSource {
+ public:
+  using FakeSource::FakeSource;
+  Vec3d sample(int x, int y, std::uint32_t number) const override {
+    if (delay_.count() > 0) std::this_thread::sleep_for(delay_);
+    if (std::getenv("SIGHTLINE_FAKE_FAILURE") && number == 2) throw std::runtime_error("the source has failed");
+    return FakeSource::sample(x, y, number);
+  }
+
+ private:
+  static std::chrono::microseconds delay() {
+    const char* text = std::getenv("SIGHTLINE_FAKE_DELAY");
+    return std::chrono::microseconds(text ? std::atoi(text) : 0);
+  }
+  std::chrono::microseconds delay_ = delay();
+};
+
+}  // namespace
+
+std::unique_ptr<PictureSource> source_of(std::shared_ptr<const Scene>, const RenderSettings& settings) {
+  auto source = std::make_unique<SlowSource>(settings.width, settings.height, settings.samples ? settings.samples : 4);
+  source->seed = settings.seed;
+  return source;
+}
+
+void print_plan(const PictureSource& source, std::ostream& out) { out << source.samples() << " samples of noise\n"; }
+
+std::string bill_of(const PictureSource&, const RenderCounters& counters, double) {
+  return "camera rays " + std::to_string(counters.camera_rays) + '\n';
+}
+
+}  // namespace sightline::render_tool
+
+int main(int argc, char** argv) {
+  return sightline::run_tool("sightline-render",
+                             [&] { return sightline::render_tool::run(argc, argv, SIGHTLINE_DATA_DIR); });
+}
