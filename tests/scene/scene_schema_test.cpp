@@ -106,7 +106,7 @@ TEST(SceneSchema, HasTheNamesThatTheLibraryKnows) {
 
 TEST(SceneSchema, TakesTheScenesOfData) {
   const std::vector<SceneSeed> scenes = scene_seeds(SIGHTLINE_SOURCE_DIR "/data/scenes");
-  EXPECT_GE(scenes.size(), 6u);
+  EXPECT_GE(scenes.size(), 20u);
   for (const SceneSeed& scene : scenes) {
     EXPECT_TRUE(is_valid(json::parse(scene.bytes, nullptr, true, true), schema())) << scene.name;
     const Scene read = read_scene(std::filesystem::path(SIGHTLINE_SOURCE_DIR "/data/scenes") / scene.name, {});
