@@ -12,6 +12,7 @@
 #include "bench/json.h"
 #include "bench/moving/run.h"
 #include "bench/noise/run.h"
+#include "bench/render/run.h"
 #include "bench/rounds.h"
 #include "bench/solids/run.h"
 #include "bench/subcommand.h"
@@ -95,7 +96,8 @@ struct Subcommand {
 };
 constexpr Subcommand subcommands[] = {{"solids", run_solids_command},       {"torus", run_torus_command},
                                       {"noise", run_noise_command},         {"graph", run_graph_command},
-                                      {"instances", run_instances_command}, {"moving", run_moving_command}};
+                                      {"instances", run_instances_command}, {"moving", run_moving_command},
+                                      {"render", run_render_command}};
 
 }  // namespace
 }  // namespace sightline::bench

@@ -10,8 +10,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "bench/solids/povray_text.h"
-
 extern char** environ;  // NOLINT: as POSIX has it
 
 namespace sightline::bench {
@@ -93,10 +91,10 @@ std::optional<Povray> Povray::find() {
   return povray;
 }
 
-std::string Povray::run(const SolidScene& scene, const std::string& output) {
-  std::ofstream(source_) << povray_text(scene);
-  std::vector<std::string> words{"povray", "+I" + source_.string(), "+W" + std::to_string(scene.camera.width),
-                                 "+H" + std::to_string(scene.camera.height), "File_Gamma=1.0"};
+std::string Povray::run(const std::string& scene, int width, int height, const std::string& output) {
+  std::ofstream(source_) << scene;
+  std::vector<std::string> words{"povray", "+I" + source_.string(), "+W" + std::to_string(width),
+                                 "+H" + std::to_string(height), "File_Gamma=1.0"};
   std::istringstream options(std::string(povray_options) + ' ' + output);
   for (std::string word; options >> word;) words.push_back(word);
   const int code = run_program(words, log_);
@@ -105,13 +103,13 @@ std::string Povray::run(const SolidScene& scene, const std::string& output) {
   return text;
 }
 
-Picture Povray::paint(const SolidScene& scene) {
-  run(scene, "+FP16 +O" + picture_.string());
+Picture Povray::paint(const std::string& scene, int width, int height) {
+  run(scene, width, height, "+FP16 +O" + picture_.string());
   return picture_of(text_of(picture_));
 }
 
-Povray::TraceTime Povray::trace(const SolidScene& scene) {
-  const std::string text = run(scene, "-F");
+Povray::TraceTime Povray::trace(const std::string& scene, int width, int height) {
+  const std::string text = run(scene, width, height, "-F");
   return {number_in(text, "Trace Time", "thread(s) with "), number_in(text, "Trace Time", "(")};
 }
 

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "bench/solids/picture.h"
-#include "bench/solids/scene.h"
 #include "bench/solids/scratch_folder.h"
 
 namespace sightline::bench {
@@ -18,9 +17,9 @@ class Povray {
 
   const std::string& version() const { return version_; }
 
-  /// Traces a scene into a picture.
+  /// Traces a scene, in its own language (povray_text.h), into a picture.
   /// \throws std::runtime_error with what POV-Ray says where it fails.
-  Picture paint(const SolidScene& scene);
+  Picture paint(const std::string& scene, int width, int height);
 
   /// What POV-Ray says of its tracing: seconds of the processor that its one thread took, and between begin and end on
   /// the wall ("Trace Time"). Both are multiples of 0.001.
@@ -28,11 +27,11 @@ class Povray {
     double processor, elapsed;
   };
   /// No picture is written.
-  TraceTime trace(const SolidScene& scene);
+  TraceTime trace(const std::string& scene, int width, int height);
 
  private:
   Povray();
-  std::string run(const SolidScene& scene, const std::string& output);
+  std::string run(const std::string& scene, int width, int height, const std::string& output);
 
   ScratchFolder folder_{{"scene.pov", "log", "picture.ppm"}};
   std::filesystem::path source_, log_, picture_;  ///< In that folder.

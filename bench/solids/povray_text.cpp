@@ -107,14 +107,20 @@ std::string text(const SolidTree& tree, const std::string& indent, const std::st
 
 }  // namespace
 
+std::string povray_text(const Vec3d& v) { return text(v); }
+
+std::string povray_text(const Camera& camera) {
+  return "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera {\n  perspective location " + text(camera.eye) +
+         " direction " + text(camera.forward) + "\n  right " + text(2.0 * camera.right) + " up " +
+         text(2.0 * camera.up) + "\n}\n";
+}
+
+std::string povray_text(const SolidTree& solid, const std::string& look) { return text(solid, "", look); }
+
 std::string povray_text(const SolidScene& scene) {
-  const Camera& camera = scene.camera;
-  std::string out = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n";
-  out += "camera {\n  perspective location " + text(camera.eye) + " direction " + text(camera.forward) + "\n  right " +
-         text(2.0 * camera.right) + " up " + text(2.0 * camera.up) + "\n}\n";
-  out += "light_source { " + text(scene.light) + ", rgb 1 }\n";
+  std::string out = povray_text(scene.camera) + "light_source { " + text(scene.light) + ", rgb 1 }\n";
   const std::string look = " pigment { rgb 1 } finish { ambient " + text(ambient) + " diffuse " + text(diffuse) + " }";
-  for (const SolidTree& tree : scene.solids) out += text(tree, "", look);
+  for (const SolidTree& tree : scene.solids) out += povray_text(tree, look);
   return out;
 }
 

@@ -8,6 +8,7 @@
 
 #include "bench/processor_time.h"
 #include "bench/solids/povray.h"
+#include "bench/solids/povray_text.h"
 #include "bench/verify.h"
 
 namespace sightline::bench {
@@ -109,7 +110,7 @@ class Stage {
       for (std::size_t k = 0; k < count; ++k) {
         const std::size_t row = (k + round) % count;
         if (row == contenders_.size()) {
-          const Povray::TraceTime time = povray_->trace(scene_);
+          const Povray::TraceTime time = povray_->trace(povray_text(scene_), plan_.width, plan_.height);
           report_.rows[row].round_seconds[round] = time.processor;
           report_.rows[row].round_elapsed[round] = time.elapsed;
           continue;
@@ -159,7 +160,8 @@ class Stage {
 
   void verify_povray() {
     progress_.say(scene_.name, "verifying POV-Ray");
-    const Difference difference = difference_of(contenders_.front().picture, povray_->paint(scene_), 1);
+    const Difference difference =
+        difference_of(contenders_.front().picture, povray_->paint(povray_text(scene_), plan_.width, plan_.height), 1);
     report_.from_povray = difference;
     if (difference.coverage + difference.shade <= report_.pixels / 500) return;
     throw WrongHits("POV-Ray sees something else, so no times are shown: " + scene_.name +

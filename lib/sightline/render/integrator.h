@@ -26,6 +26,12 @@
 
 namespace sightline {
 
+/// A pixel of a tile: where it is in the picture, and in the tile.
+struct PixelPlace {
+  int x, y;
+  std::uint32_t in_tile;
+};
+
 /// A ray on its way, and what it stands for.
 struct Path {
   Color weight{1};                 ///< Of what it meets, in the pixel.
@@ -79,7 +85,7 @@ class Integrator {
   void add_samples(TileBuffer& tile, std::span<const std::uint32_t> pixels, SampleRange range, FactsAsked facts);
 
  private:
-  static constexpr std::size_t wave_size = 64;
+  static constexpr std::size_t wave_size = 128;
 
   /// Rays that go on, in the order in which their waves follow each other.
   enum Kind : std::size_t { mirrored, spread, passing, scattered, kind_count };
@@ -113,17 +119,21 @@ class Integrator {
   };
 
   // integrator_of.h
-  void look(const TileRect& rect, std::span<const std::uint32_t> places);
-  void note_facts(TileBuffer& tile, std::span<const std::uint32_t> places, FactsAsked facts);
+  void look(std::span<const PixelPlace> places);
+  void note_facts(TileBuffer& tile, std::span<const PixelPlace> places, FactsAsked facts);
   void follow();
-  void trace(const RayWave& wave, StageTimes::Clock::duration* time);
+  void trace(RayWave& wave, StageTimes::Clock::duration* time);
   void see();
   Color passed(const Ray<double>& ray);
-  Sampler sampler(std::uint32_t slot) const { return {scene_.seed, pixel_numbers_[slot], sample_}; }
+  /// Of a sample of the wave of the camera.
+  Sampler sampler(std::uint32_t slot) const {
+    const auto row = static_cast<std::uint32_t>(places_[slot].y), column = static_cast<std::uint32_t>(places_[slot].x);
+    return {scene_.seed, row * static_cast<std::uint32_t>(moment_->lens.camera.width) + column, sample_};
+  }
 
   // integrator_shading.h
-  void shade_miss(const Ray<double>& ray, Path path);
-  void shade(const Ray<double>& ray, Path path, const WorldHit& hit);
+  void shade_miss(const Ray<double>& ray, Path& path);
+  void shade(const Ray<double>& ray, Path& path, const WorldHit& hit);
   void in_fog(double length, Path& path, Color& light) const;
   Color color_at(const Shade& shade, const Path& path);
   Vec3d normal_at(const Shade& shade, const Path& path);
@@ -141,7 +151,7 @@ class Integrator {
 
   const Moment* moment_ = nullptr;
   std::uint32_t sample_ = 0;
-  std::array<std::uint32_t, wave_size> pixel_numbers_{};  ///< In the picture, of the wave of the camera.
+  std::span<const PixelPlace> places_;  ///< Of the wave of the camera.
   std::array<Vec3d, wave_size> radiance_{};
   RayWave current_;
   std::array<RayWave, kind_count> next_;

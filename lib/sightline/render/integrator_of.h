@@ -11,18 +11,22 @@ namespace sightline {
 namespace detail {
 
 /// Squares of 4 x 4 pixels together: sixteen neighbours make a packet.
-inline std::vector<std::uint32_t> in_squares(const TileRect& rect, std::span<const std::uint32_t> pixels) {
+inline std::vector<PixelPlace> in_squares(const TileRect& rect, std::span<const std::uint32_t> pixels) {
   constexpr int side = 4;
-  std::vector<std::uint8_t> is_asked(rect.pixels());
-  for (const std::uint32_t pixel : pixels) is_asked[pixel] = 1;
-  std::vector<std::uint32_t> order;
-  order.reserve(pixels.size());
+  const bool are_all = pixels.size() == rect.pixels();
+  std::vector<std::uint8_t> is_asked(are_all ? 0 : rect.pixels());
+  if (!are_all) {
+    for (const std::uint32_t pixel : pixels) is_asked[pixel] = 1;
+  }
+  std::vector<PixelPlace> order(pixels.size());
+  PixelPlace* next = order.data();
   for (int y = 0; y < rect.height; y += side) {
     for (int x = 0; x < rect.width; x += side) {
-      for (int j = y; j < std::min(y + side, rect.height); ++j) {
-        for (int i = x; i < std::min(x + side, rect.width); ++i) {
+      const int right = std::min(x + side, rect.width), below = std::min(y + side, rect.height);
+      for (int j = y; j < below; ++j) {
+        for (int i = x; i < right; ++i) {
           const auto pixel = static_cast<std::uint32_t>(j * rect.width + i);
-          if (is_asked[pixel]) order.push_back(pixel);
+          if (are_all || is_asked[pixel]) *next++ = {rect.x + i, rect.y + j, pixel};
         }
       }
     }
@@ -35,35 +39,33 @@ inline std::vector<std::uint32_t> in_squares(const TileRect& rect, std::span<con
 template <Effects has>
 void Integrator<has>::add_samples(TileBuffer& tile, std::span<const std::uint32_t> pixels, SampleRange range,
                                   FactsAsked facts) {
-  const std::vector<std::uint32_t> order = detail::in_squares(tile.rect, pixels);
+  const std::vector<PixelPlace> order = detail::in_squares(tile.rect, pixels);
   for (sample_ = range.first; sample_ < range.last; ++sample_) {
     moment_ = scene_.moments[sample_ % scene_.moments.size()].get();
     for (std::size_t first = 0; first < order.size(); first += wave_size) {
       const auto places = std::span(order).subspan(first, std::min(wave_size, order.size() - first));
-      look(tile.rect, places);
+      look(places);
       trace(current_, StageClock::camera(times_));
       if (sample_ == 0 && facts != FactsAsked::none) note_facts(tile, places, facts);
       see();
       follow();
-      for (std::size_t i = 0; i < places.size(); ++i) tile.sums[places[i]].add(radiance_[i]);
+      for (std::size_t i = 0; i < places.size(); ++i) tile.sums[places[i].in_tile].add(radiance_[i]);
     }
   }
 }
 
 template <Effects has>
-void Integrator<has>::look(const TileRect& rect, std::span<const std::uint32_t> places) {
+void Integrator<has>::look(std::span<const PixelPlace> places) {
   const Lens& lens = moment_->lens;
   const Camera& camera = lens.camera;
   const Vec3d column = camera.right / double(camera.width), row = camera.up / double(camera.height);
   const bool is_spread = scene_.effects.has(Effect::antialiasing);
+  places_ = places;
   current_.rays.resize(places.size());
   current_.paths.resize(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto slot = static_cast<std::uint32_t>(i);
-    const int x = rect.x + static_cast<int>(places[i]) % rect.width;
-    const int y = rect.y + static_cast<int>(places[i]) / rect.width;
-    pixel_numbers_[i] =
-        static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(camera.width) + static_cast<std::uint32_t>(x);
+    const int x = places[i].x, y = places[i].y;
     radiance_[i] = Vec3d(0);
     glm::dvec2 within(0.5);
     if (is_spread) within = sampler(slot).square(Draw::pixel);
@@ -93,15 +95,16 @@ void Integrator<has>::look(const TileRect& rect, std::span<const std::uint32_t> 
 
 /// Reads the hits of the camera's rays, which have just been traced.
 template <Effects has>
-void Integrator<has>::note_facts(TileBuffer& tile, std::span<const std::uint32_t> places, FactsAsked facts) {
+void Integrator<has>::note_facts(TileBuffer& tile, std::span<const PixelPlace> places, FactsAsked facts) {
   for (std::size_t i = 0; i < places.size(); ++i) {
-    PixelFacts& fact = tile.facts[places[i]];
+    PixelFacts& fact = tile.facts[places[i].in_tile];
     const WorldHit& hit = hits_[i];
     const Ray<double>& ray = current_.rays[i];
     if (hit.is_hit()) {
       const SurfacePoint at = moment_->surfaces->locate(ray, hit);
       fact.depth = static_cast<float>(hit.t * glm::length(ray.direction));
-      fact.normal = Vec3f(moment_->surfaces->normal(hit, at));
+      const Vec3d normal = moment_->surfaces->normal(hit, at);
+      fact.normal = Vec3f(glm::dot(normal, ray.direction) > 0 ? -normal : normal);
       fact.object = moment_->surfaces->node(hit);
     }
     if (facts == FactsAsked::with_work) {
@@ -136,7 +139,7 @@ void Integrator<has>::follow() {
 }
 
 template <Effects has>
-void Integrator<has>::trace(const RayWave& wave, StageTimes::Clock::duration* time) {
+void Integrator<has>::trace(RayWave& wave, StageTimes::Clock::duration* time) {
   hits_.resize(wave.rays.size());
   {
     const StageClock clock(time);

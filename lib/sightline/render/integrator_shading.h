@@ -10,14 +10,12 @@
 namespace sightline {
 
 template <Effects has>
-void Integrator<has>::shade_miss(const Ray<double>& ray, Path path) {
-  Color sky(0);
-  const bool is_lit = !path.is_scattered || scene_.sky_lights;
-  if (scene_.has_sky && is_lit) sky = scene_.sky->toward(glm::normalize(ray.direction));
+void Integrator<has>::shade_miss(const Ray<double>& ray, Path& path) {
   Color light(0);
-  in_fog(std::numeric_limits<double>::infinity(), path, light);
-  light += path.weight * sky;
-  radiance_[path.slot] += Vec3d(light);
+  if constexpr (has.has(Effect::fog)) in_fog(std::numeric_limits<double>::infinity(), path, light);
+  const bool is_lit = !path.is_scattered || scene_.sky_lights;
+  if (scene_.has_sky && is_lit) light += path.weight * scene_.sky->toward(glm::normalize(ray.direction));
+  if (light != Color(0)) radiance_[path.slot] += Vec3d(light);
 }
 
 /// What is left of a path after the length; what fog adds to it.
@@ -33,7 +31,7 @@ void Integrator<has>::in_fog(double length, Path& path, Color& light) const {
 }
 
 template <Effects has>
-void Integrator<has>::shade(const Ray<double>& ray, Path path, const WorldHit& hit) {
+void Integrator<has>::shade(const Ray<double>& ray, Path& path, const WorldHit& hit) {
   const Surfaces& surfaces = *moment_->surfaces;
   const std::uint32_t number = surfaces.material(hit);
   const SurfaceMaterial& material = (*scene_.materials)[number];
@@ -73,7 +71,7 @@ void Integrator<has>::shade(const Ray<double>& ray, Path path, const WorldHit& h
     light += path.weight * diffuse * scene_.ambient.color;
     ++counters_[Effect::ambient];
   }
-  radiance_[path.slot] += Vec3d(light);
+  if (light != Color(0)) radiance_[path.slot] += Vec3d(light);
   shine(shade, path, diffuse);
   if (diffuse != Color(0)) look_around(shade, path, diffuse);
 }
@@ -221,7 +219,8 @@ void Integrator<has>::shine(const Shade& shade, const Path& path, const Color& d
       if constexpr (has.has(Effect::glossy)) {
         if (is_glossy) share += highlight(shade, from.to_lamp, cosine);
       }
-      const Color light = path.weight * share * from.irradiance / static_cast<float>(count);
+      Color light = path.weight * share * from.irradiance;
+      if (is_area) light /= static_cast<float>(count);
       if (light == Color(0)) continue;
       add_sight(is_area ? to_area : to_point, shade, from.to_lamp, from.distance, light, path.slot);
     }
@@ -278,7 +277,10 @@ template <Effects has>
 void Integrator<has>::add_sight(Sight sight, const Shade& shade, const Vec3d& direction, double length,
                                 const Color& light, std::uint32_t slot) {
   Sights& sights = sights_[sight];
-  sights.rays.push_back({shade.at.beyond(shade.side), direction, 0, length});
+  Ray<double>& ray = sights.rays.emplace_back();  // in place: copying what was just written would wait for it
+  ray.origin = shade.at.beyond(shade.side);
+  ray.direction = direction;
+  ray.t_max = length;
   sights.lights.push_back({light, slot});
 }
 

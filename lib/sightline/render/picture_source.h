@@ -31,9 +31,9 @@ struct PixelSum {
 /// What the first sample of a pixel saw.
 struct PixelFacts {
   float depth = std::numeric_limits<float>::infinity();  ///< From the camera along its ray, in units of length.
-  Vec3f normal{0};                                       ///< In the world, of unit length; 0 where nothing is.
-  std::uint32_t object = no_object;                      ///< Number of the element in the scene (NodeId).
-  std::uint32_t work = 0;  ///< Nodes, leaves and candidates that the camera's ray examined.
+  Vec3f normal{0};                   ///< In the world, of unit length, toward the camera; 0 for nothing.
+  std::uint32_t object = no_object;  ///< Number of the element in the scene (NodeId).
+  std::uint32_t work = 0;            ///< Nodes, leaves and candidates that the camera's ray examined.
 
   static constexpr std::uint32_t no_object = 0xffff'ffff;
   friend bool operator==(const PixelFacts&, const PixelFacts&) = default;
