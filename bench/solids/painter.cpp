@@ -6,10 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "sightline/accel/box_primitives.h"
-#include "sightline/accel/registry.h"
-#include "sightline/query/packets.h"
-#include "sightline/query/primitives_of.h"
+#include "sightline/render/solid_tracer.h"
 
 namespace sightline::bench {
 namespace {
@@ -57,48 +54,45 @@ struct Tile {
   }
 };
 
-template <Level level, class Structure>
-class PainterOf final : public Painter {
+class TracingPainter final : public Painter {
  public:
-  PainterOf(SolidSet<level> solids, bool in_packets)
-      : solids_(std::move(solids)),
-        structure_(Structure::build(PrimitivesOf(solids_), costly_primitives<Structure>())),
-        in_packets_(in_packets) {}
+  explicit TracingPainter(std::unique_ptr<SolidTracer> tracer) : tracer_(std::move(tracer)) {}
 
   void paint(const SolidScene& scene, Picture& picture, int row_step) const override {
-    NoSolidProbe probe;
     std::uint64_t rays = 0;
-    paint(scene, picture, row_step, probe, rays);
+    paint(scene, picture, row_step, rays);
   }
   PaintStats count(const SolidScene& scene, Picture& picture) const override {
     PaintStats stats;
-    paint(scene, picture, 1, stats.solids, stats.rays);
+    SolidWork work;
+    paint(scene, picture, 1, stats.rays, work);
+    stats.solids = work.solids;
     return stats;
   }
 
  private:
-  template <class Probe>
-  void paint(const SolidScene& scene, Picture& picture, int row_step, Probe& probe, std::uint64_t& rays) const {
-    const SolidLeaves<level, Probe> leaves(solids_, structure_.leaf_order(), probe);
+  /// `work` is nothing, or a SolidWork.
+  template <class... Work>
+  void paint(const SolidScene& scene, Picture& picture, int row_step, std::uint64_t& rays, Work&... work) const {
     const Camera& camera = scene.camera;
     Tile tile;
     for (int y = 0; y < camera.height; y += tile_side * row_step) {
       for (int x = 0; x < camera.width; x += tile_side) {
         tile.look(camera, picture, x, y, row_step);
-        paint(tile, scene.light, leaves);
+        paint(tile, scene.light, work...);
         rays += tile.seen.count + tile.lit.count;
       }
     }
   }
 
-  template <class Leaves>
-  void paint(Tile& tile, const Vec3d& light, const Leaves& leaves) const {
-    find_closest(leaves, tile.seen, tile.hits);
+  template <class... Work>
+  void paint(Tile& tile, const Vec3d& light, Work&... work) const {
+    tracer_->closest_hits(tile.seen.all(), std::span(tile.hits).first(tile.seen.count), work...);
     for (std::size_t i = 0; i < tile.seen.count; ++i) {
       *tile.pixels[i] = tile.hits[i].is_hit() ? static_cast<float>(ambient) : 0;
       if (tile.hits[i].is_hit()) look_at_light(tile, i, light);
     }
-    find_any(leaves, tile.lit, tile.is_dark);
+    tracer_->any_hits(tile.lit.all(), std::span(tile.is_dark).first(tile.lit.count), work...);
     for (std::size_t i = 0; i < tile.lit.count; ++i) {
       if (!tile.is_dark[i]) *tile.lit_pixels[i] = tile.lit_shades[i];
     }
@@ -108,11 +102,7 @@ class PainterOf final : public Painter {
   void look_at_light(Tile& tile, std::size_t i, const Vec3d& light) const {
     const Ray<double>& ray = tile.seen.rays[i];
     const Hit<double>& hit = tile.hits[i];
-    Boundary boundary;
-    boundary.t = hit.t;
-    boundary.primitive = static_cast<std::uint32_t>(hit.u);
-    boundary.face = static_cast<std::uint32_t>(hit.v);
-    Vec3d normal = solids_[hit.prim_id].normal(boundary, ray);
+    Vec3d normal = tracer_->solids()[hit.prim_id]->normal(boundary_of(hit), ray);
     if (glm::dot(normal, ray.direction) > 0) normal = -normal;
     Ray<double>& shadow = tile.lit.rays[tile.lit.count];
     shadow.origin = ray.at(hit.t);
@@ -127,36 +117,8 @@ class PainterOf final : public Painter {
     ++tile.lit.count;
   }
 
-  template <class Leaves>
-  void find_closest(const Leaves& leaves, const TileRays& rays, std::span<Hit<double>> hits) const {
-    NoProbe probe;
-    if (in_packets_) return packet_closest_hits(structure_, leaves, rays.all(), hits, probe);
-    for (std::size_t i = 0; i < rays.count; ++i) hits[i] = closest_hit(structure_, leaves, rays.rays[i], probe);
-  }
-  template <class Leaves>
-  void find_any(const Leaves& leaves, const TileRays& rays, std::span<std::uint8_t> are_hits) const {
-    NoProbe probe;
-    if (in_packets_) return packet_any_hits(structure_, leaves, rays.all(), are_hits, probe);
-    for (std::size_t i = 0; i < rays.count; ++i) are_hits[i] = any_hit(structure_, leaves, rays.rays[i], probe);
-  }
-
-  SolidSet<level> solids_;
-  Structure structure_;
-  bool in_packets_;
+  std::unique_ptr<SolidTracer> tracer_;
 };
-
-template <Level level>
-std::unique_ptr<Painter> painter_of(std::vector<std::shared_ptr<const Solid>> solids, std::string_view accelerator,
-                                    bool in_packets) {
-  std::unique_ptr<Painter> painter;
-  Accelerators::for_each([&]<class Structure>(auto) {
-    if (Structure::name == accelerator) {
-      painter = std::make_unique<PainterOf<level, Structure>>(SolidSet<level>(std::move(solids)), in_packets);
-    }
-  });
-  if (!painter) throw std::invalid_argument("unknown accelerator '" + std::string(accelerator) + "'");
-  return painter;
-}
 
 }  // namespace
 
@@ -164,17 +126,7 @@ std::unique_ptr<Painter> make_painter(const SolidScene& scene, Level level, cons
                                       std::string_view over_solids, std::string_view over_operands, bool in_packets) {
   std::vector<std::shared_ptr<const Solid>> solids;
   for (const SolidTree& tree : scene.solids) solids.push_back(std::make_shared<Solid>(tree, options, over_operands));
-  switch (level) {
-    case Level::fast:
-      return painter_of<Level::fast>(std::move(solids), over_solids, in_packets);
-    case Level::watertight:
-      return painter_of<Level::watertight>(std::move(solids), over_solids, in_packets);
-    case Level::precise:
-      return painter_of<Level::precise>(std::move(solids), over_solids, in_packets);
-    case Level::exact:
-      break;
-  }
-  return painter_of<Level::exact>(std::move(solids), over_solids, in_packets);
+  return std::make_unique<TracingPainter>(make_solid_tracer(over_solids, std::move(solids), level, {{}, in_packets}));
 }
 
 }  // namespace sightline::bench

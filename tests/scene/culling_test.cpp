@@ -197,5 +197,22 @@ TEST(Collision, DoesNotTakeTheSquareOfManyChildren) {
   EXPECT_LT(found.tests, 2u * count);
 }
 
+/// What is hidden is as if its geometry were not there.
+TEST(Culling, LeavesOutWhatIsHidden) {
+  LiveScene live(random_scene(3, 60));
+  const VolumeRay ray(Ray<double>{Vec3d(-20, 0.1, 0.2), Vec3d(1, 0, 0)});
+  const std::vector<NodeId> all = cull(live, ray, BoundKind::box).nodes;
+  ASSERT_GT(all.size(), 2u);
+  live.set_visible(all.front(), false);
+  std::vector<NodeId> expected;
+  for (const NodeId node : all) {
+    if (live.graph().is_shown(node)) expected.push_back(node);
+  }
+  EXPECT_LT(expected.size(), all.size());
+  EXPECT_EQ(cull(live, ray, BoundKind::box).nodes, expected);
+  live.set_visible(all.front(), true);
+  EXPECT_EQ(cull(live, ray, BoundKind::box).nodes, all);
+}
+
 }  // namespace
 }  // namespace sightline

@@ -54,6 +54,18 @@ TEST(Flatten, LeavesOutMeshesWithoutTriangles) {
   EXPECT_EQ(instances_of(scene).instances.size(), 0u);
 }
 
+TEST(Flatten, LeavesOutWhatIsHidden) {
+  Scene scene = scene_of(make_tetrahedron());
+  const NodeId a = add(scene, root_node, "a", {}), b = add(scene, a, "b", {}), c = add(scene, root_node, "c", {});
+  scene.graph.set_visible(a, false);
+  const SceneInstances placed = instances_of(scene);
+  ASSERT_EQ(placed.instances.size(), 1u);
+  EXPECT_EQ(placed.origins[0].node, c);
+  scene.graph.set_visible(a, true);
+  scene.graph.set_visible(b, false);
+  EXPECT_EQ(instances_of(scene).instances.size(), 2u);
+}
+
 TEST(Flatten, NamesNodesDepthFirstWithTheNearestMaterial) {
   Scene scene = scene_of(make_tetrahedron());
   scene.geometries.push_back(scene.geometries[0]);  // the same mesh

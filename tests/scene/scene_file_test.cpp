@@ -98,7 +98,7 @@ TEST(SceneFile, BadOnesAreRefusedInOneLine) {
       {"{\n\"objects\": [\n}", ":3: expected JSON, found '}' at byte 16"},
       {"[]", ":/: expected an object, found []"},
       {R"({"objekts": []})",
-       R"(:/: expected members of a scene, which are $schema, name, include, textures, materials, geometries, groups, objects, animations, found "objekts" (is "objects" meant?))"},
+       R"(:/: expected members of a scene, which are $schema, name, include, textures, materials, geometries, groups, objects, animations, background, ambient, fog, render, found "objekts" (is "objects" meant?))"},
       {R"({"objects": [{"geometry": {"sphere": {"radius": "big"}}}]})",
        R"(:/objects/0/geometry/sphere/radius: expected a number, found "big")"},
       {R"({"objects": [{"geometry": {"sphere": {"radius": -1}}}]})",

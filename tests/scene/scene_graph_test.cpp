@@ -98,6 +98,33 @@ TEST(SceneGraph, MovesLikeLists) {
       part);
 }
 
+/// Against the definition, node by node.
+TEST(SceneGraph, HidesAllBelowWhatIsHidden) {
+  Random random(5);
+  SceneGraph graph;
+  for (int i = 0; i < 400; ++i) graph.add(random.below(graph.size()), "", random_transform(random));
+  EXPECT_TRUE(graph.is_visible(root_node) && graph.is_visible(400));
+  for (int i = 0; i < 40; ++i) graph.set_visible(1 + random.below(graph.size() - 1), random.below(4) == 0);
+  std::vector<NodeId> order, expected;
+  graph.for_each([&](NodeId node, const Transform&) {
+    bool is_shown = true;
+    for (NodeId above = node; above != no_node; above = graph.parent(above)) is_shown &= graph.is_visible(above);
+    EXPECT_EQ(graph.is_shown(node), is_shown);
+    if (is_shown) expected.push_back(node);
+  });
+  graph.for_each_shown([&](NodeId node, const Transform& world) {
+    order.push_back(node);
+    EXPECT_EQ(world, graph.world(node));
+  });
+  EXPECT_EQ(order, expected);
+  EXPECT_GT(order.size(), 20u);
+  EXPECT_LT(order.size(), 380u);
+  graph.set_visible(root_node, false);
+  graph.for_each_shown([](NodeId, const Transform&) { FAIL() << "the root is hidden"; });
+  graph.set_visible(root_node, true);
+  EXPECT_TRUE(graph.is_shown(root_node));
+}
+
 TEST(SceneGraph, RefusesCyclesByName) {
   SceneGraph graph;
   const NodeId a = graph.add(root_node, "a"), b = graph.add(a, "b");

@@ -79,6 +79,18 @@ TEST(GltfExport, TellsWhatItLeavesOut) {
   EXPECT_THROW(write_gltf(folder.path() / "a.obj", Scene()), FileError);
 }
 
+TEST(GltfExport, KeepsWhatIsHiddenHidden) {
+  const TemporaryFolder folder;
+  Scene scene = read_scene(scenes / "forest.json", {});
+  const NodeId hut = scene.graph.find("/hut");
+  ASSERT_NE(hut, no_node);
+  const std::size_t before = instances_of(scene).instances.size();
+  scene.graph.set_visible(hut, false);
+  EXPECT_EQ(instances_of(scene).instances.size(), before - 2);
+  expect_round_trip(scene, folder.path() / "forest.glb");
+  EXPECT_FALSE(read_scene(folder.path() / "forest.glb", {}).graph.is_visible(hut));
+}
+
 TEST(SceneImport, KeepsNodesMaterialsTexturesAndCameras) {
   const Scene engine = import_scene(models() / "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb");
   EXPECT_GT(engine.graph.size(), 50u);

@@ -156,6 +156,7 @@ std::string dangling(const Scene& scene) {
   for (const Material& material : scene.materials) {
     if (!is_number(material.color_texture, scene.textures.size())) return "a material's texture";
     if (!is_number(material.normal_map, scene.textures.size())) return "a material's normals";
+    if (material.dents && !is_finite(Dents(*material.dents).normal({0, 0, 1}, Vec3d(0.3)))) return "a material's dents";
   }
   for (const Light& light : scene.lights) {
     if (light.node >= scene.graph.size()) return "a light's node";
@@ -163,7 +164,15 @@ std::string dangling(const Scene& scene) {
   for (const SceneCamera& camera : scene.cameras) {
     if (camera.node >= scene.graph.size() || !(camera.field_of_view > 0 && camera.field_of_view < 180))
       return "a camera";
+    if (!(camera.aperture >= 0) || (camera.aperture > 0 && !(camera.focus_distance > 0))) return "a lens";
+    if (!(camera.shutter[1] >= camera.shutter[0])) return "a shutter";
   }
+  if (const auto* sky = std::get_if<SkyImage>(&scene.surroundings.background);
+      sky && !std::filesystem::exists(sky->image))
+    return "an image of the sky";
+  if (scene.render.samples < 1 || scene.render.samples > most_samples || scene.render.depth > most_bounces)
+    return "settings";
+  if (!(scene.fog.density >= 0 && scene.ambient.occlusion_distance >= 0)) return "fog or ambient light";
   for (const Geometry& geometry : scene.geometries) {
     const auto* mesh = std::get_if<MeshGeometry>(&geometry.shape);
     if (!mesh) continue;

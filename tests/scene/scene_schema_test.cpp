@@ -93,9 +93,20 @@ TEST(SceneSchema, HasTheMembersThatTheReaderKnows) {
   }
 }
 
+TEST(SceneSchema, HasTheNamesThatTheLibraryKnows) {
+  const auto expect_names = [](const json& names, const auto& infos) {
+    std::set<std::string> known;
+    for (const auto& info : infos) known.insert(std::string(info.name));
+    EXPECT_EQ(names.get<std::set<std::string>>(), known);
+  };
+  const json& dents = schema()["$defs"]["dents"]["properties"];
+  expect_names(dents["noise"]["enum"], noise_infos);
+  expect_names(dents["fractal"]["enum"], fractal_infos);
+}
+
 TEST(SceneSchema, TakesTheScenesOfData) {
   const std::vector<SceneSeed> scenes = scene_seeds(SIGHTLINE_SOURCE_DIR "/data/scenes");
-  EXPECT_GE(scenes.size(), 6u);
+  EXPECT_GE(scenes.size(), 20u);
   for (const SceneSeed& scene : scenes) {
     EXPECT_TRUE(is_valid(json::parse(scene.bytes, nullptr, true, true), schema())) << scene.name;
     const Scene read = read_scene(std::filesystem::path(SIGHTLINE_SOURCE_DIR "/data/scenes") / scene.name, {});
@@ -104,12 +115,26 @@ TEST(SceneSchema, TakesTheScenesOfData) {
 }
 
 TEST(SceneSchema, RefusesWhatTheReaderRefuses) {
-  for (const char* text :
-       {R"([])", R"({"objekts": []})", R"({"objects": [{"geometry": {"sphere": {"radius": -1}}}]})",
-        R"({"objects": [{"geometry": {"spheer": {}}}]})", R"({"objects": [{"geometry": {"mesh": "a", "solid": "b"}}]})",
-        R"({"objects": [{"transform": [{"matrix": [1, 2]}]}]})", R"({"materials": {"m": {"color": "red"}}})",
-        R"({"objects": [{"transform": [{"translate": [0,0,0], "scale": 1}]}]})", R"({"objects": [{"light": {}}]})",
-        R"({"materials": {"m": {"roughness": 2}}})", R"({"objects": [{"camera": {"field_of_view": 180}}]})"}) {
+  for (const char* text : {R"([])",
+                           R"({"objekts": []})",
+                           R"({"objects": [{"geometry": {"sphere": {"radius": -1}}}]})",
+                           R"({"objects": [{"geometry": {"spheer": {}}}]})",
+                           R"({"objects": [{"geometry": {"mesh": "a", "solid": "b"}}]})",
+                           R"({"objects": [{"transform": [{"matrix": [1, 2]}]}]})",
+                           R"({"materials": {"m": {"color": "red"}}})",
+                           R"({"objects": [{"transform": [{"translate": [0,0,0], "scale": 1}]}]})",
+                           R"({"objects": [{"light": {}}]})",
+                           R"({"background": "blue"})",
+                           R"({"background": {"zenith": [0, 0, 1]}})",
+                           R"({"background": {"image": "a.png", "color": [0, 0, 0]}})",
+                           R"({"ambient": {}})",
+                           R"({"fog": {"density": 1}})",
+                           R"({"render": {"samples": 0}})",
+                           R"({"objects": [{"camera": {"shutter": [1]}}]})",
+                           R"({"objects": [{"visible": 0}]})",
+                           R"({"materials": {"m": {"dents": {"octaves": 0}}}})",
+                           R"({"materials": {"m": {"roughness": 2}}})",
+                           R"({"objects": [{"camera": {"field_of_view": 180}}]})"}) {
     EXPECT_FALSE(is_valid(json::parse(text), schema())) << text;
   }
   EXPECT_TRUE(is_valid(json::parse(R"({"objects": [{"geometry": {"sphere": {"radius": 1}}}]})"), schema()));

@@ -7,7 +7,7 @@
 
 #include "sightline/io/image_file.h"
 #include "sightline/math/random.h"
-#include "sightline/noise/noise_field.h"
+#include "sightline/texture/dents.h"
 #include "tests/io/temporary_folder.h"
 
 namespace sightline {
@@ -83,6 +83,7 @@ TEST(NormalMap, DentsByNoise) {
     const Vec3d dent = dented_normal(n, field.sample(n).gradient, height);
     EXPECT_NEAR(glm::length(dent), 1, tiny);
     expect_near((dent - n) / height, (expected - n) / height, 1e-2);
+    expect_near(Dents({height, field.options()}).normal(n, n), dent, 0);
     EXPECT_GT(glm::dot(dented_normal(n, field.sample(n).gradient, 1e6), n), 0) << "never below the surface";
   }
 }

@@ -187,7 +187,7 @@ vtkSmartPointer<vtkPolyData> solid_surface(const SolidTree& tree) {
   return Samples(solid, solid.bounds()).surface();
 }
 
-NodeSurfaces::NodeSurfaces(const Scene& scene) : graph_(scene.graph), colors_(scene.graph.size()) {
+NodeSurfaces::NodeSurfaces(const Scene& scene) : graph_(scene.graph), colors_(scene.graph.size()), is_shown_(scene.graph.size()) {
   std::vector<bool> is_used(scene.geometries.size(), false);
   for (NodeId node = 0; node < graph_.size(); ++node) {
     if (graph_.geometry(node) != no_item) is_used[graph_.geometry(node)] = true;
@@ -211,6 +211,7 @@ NodeSurfaces::NodeSurfaces(const Scene& scene) : graph_(scene.graph), colors_(sc
   }
   constexpr Rgb gray{0.84, 0.83, 0.81};
   for (const NodeId node : TreeShape(graph_).order) {
+    is_shown_[node] = graph_.is_visible(node) && (node == root_node || is_shown_[graph_.parent(node)]);
     const std::uint32_t material = graph_.material(node);
     colors_[node] = node == root_node ? gray : colors_[graph_.parent(node)];
     if (material >= scene.materials.size()) continue;
@@ -221,7 +222,7 @@ NodeSurfaces::NodeSurfaces(const Scene& scene) : graph_(scene.graph), colors_(sc
 
 vtkPolyDataMapper* NodeSurfaces::mapper(NodeId node) const {
   const std::uint32_t geometry = graph_.geometry(node);
-  return geometry == no_item ? nullptr : mappers_[geometry].Get();
+  return geometry == no_item || !is_shown_[node] ? nullptr : mappers_[geometry].Get();
 }
 
 }  // namespace sightline::viz

@@ -20,7 +20,7 @@ class NodeSurfaces {
  public:
   explicit NodeSurfaces(const Scene& scene);
 
-  /// nullptr where the node has no geometry, or nothing of it can be drawn.
+  /// nullptr where the node has no geometry or is hidden, or nothing of it can be drawn.
   vtkPolyDataMapper* mapper(NodeId node) const;
   /// Of its material, or that of the nearest node above with one.
   const Rgb& color(NodeId node) const { return colors_[node]; }
@@ -31,6 +31,7 @@ class NodeSurfaces {
   const SceneGraph& graph_;
   std::vector<vtkSmartPointer<vtkPolyDataMapper>> mappers_;  ///< By geometry.
   std::vector<Rgb> colors_;                                  ///< By node.
+  std::vector<bool> is_shown_;                               ///< By node: neither it nor one above it is hidden.
   std::size_t endless_ = 0;
 };
 

@@ -56,7 +56,7 @@ std::string label(const Scene& scene, NodeId node) {
   }
   for (const Light& light : scene.lights) text += light.node == node ? "  light" : "";
   for (const SceneCamera& camera : scene.cameras) text += camera.node == node ? "  camera" : "";
-  return text;
+  return text + (scene.graph.is_visible(node) ? "" : "  hidden");
 }
 
 template <class List, class Said>
@@ -70,6 +70,35 @@ void list(std::ostream& out, const char* title, const List& items, Said&& said) 
 
 std::string color_text(const Color& color) {
   return short_number(color.x) + " " + short_number(color.y) + " " + short_number(color.z);
+}
+
+std::string background_text(const Surroundings& surroundings) {
+  std::string text;
+  if (const auto* sky = std::get_if<SkyGradient>(&surroundings.background)) {
+    text = "sky, zenith " + color_text(sky->zenith) + ", horizon " + color_text(sky->horizon) + ", ground " +
+           color_text(sky->ground);
+  } else if (const auto* image = std::get_if<SkyImage>(&surroundings.background)) {
+    text = image->image.string();
+  } else {
+    text = color_text(std::get<Color>(surroundings.background));
+  }
+  if (surroundings.intensity != 1) text += ", times " + short_number(surroundings.intensity);
+  return plain(text) + (surroundings.lights ? ", lights" : "");
+}
+
+std::vector<std::string> settings_of(const Scene& scene) {
+  std::vector<std::string> lines{"background  " + background_text(scene.surroundings)};
+  if (scene.ambient.color != Color(0)) {
+    const double distance = scene.ambient.occlusion_distance;
+    lines.push_back("ambient  " + color_text(scene.ambient.color) +
+                    (distance > 0 ? ", shut out within " + short_number(distance) : ""));
+  }
+  if (scene.fog.density > 0) {
+    lines.push_back("fog  " + short_number(scene.fog.density) + ", " + color_text(scene.fog.color));
+  }
+  lines.push_back("render  " + std::to_string(scene.render.samples) + " samples, depth " +
+                  std::to_string(scene.render.depth) + (scene.render.interreflection ? ", interreflection" : ""));
+  return lines;
 }
 
 }  // namespace
@@ -155,6 +184,7 @@ void describe(const Scene& scene, std::ostream& out) {
     std::string text = plain(each.name) + "  color " + color_text(each.color);
     if (each.color_texture != no_item) text += ", texture " + plain(scene.textures[each.color_texture].name);
     if (each.normal_map != no_item) text += ", normals " + plain(scene.textures[each.normal_map].name);
+    if (each.dents) text += ", dents";
     if (each.metallic > 0) text += ", metallic " + short_number(each.metallic);
     if (each.transmission > 0) text += ", transmission " + short_number(each.transmission);
     return text + ", roughness " + short_number(each.roughness);
@@ -165,12 +195,20 @@ void describe(const Scene& scene, std::ostream& out) {
   });
   list(out, "lights", scene.lights, [&](const Light& each) { return plain(graph.path(each.node)); });
   list(out, "cameras", scene.cameras, [&](const SceneCamera& each) {
-    return plain(graph.path(each.node)) + "  " + short_number(each.field_of_view) + " degrees";
+    std::string text = plain(graph.path(each.node)) + "  " + short_number(each.field_of_view) + " degrees";
+    if (each.aperture > 0) {
+      text += ", aperture " + short_number(each.aperture) + ", sharp at " + short_number(each.focus_distance);
+    }
+    if (each.shutter[1] > each.shutter[0]) {
+      text += ", open from " + short_number(each.shutter[0]) + " to " + short_number(each.shutter[1]) + " s";
+    }
+    return text;
   });
   list(out, "animations", scene.animations, [](const Animation& each) {
     return plain(each.name) + "  " + std::to_string(each.channels.size()) + " nodes, " + short_number(each.duration()) +
            " s";
   });
+  list(out, "picture", settings_of(scene), [](const std::string& each) { return each; });
 }
 
 }  // namespace sightline::scenes_tool

@@ -61,7 +61,7 @@ class Painter {
  private:
   void add_solids(Aabb& bounds) {
     std::vector<std::uint32_t> materials(scene_.graph.size(), no_item);
-    scene_.graph.for_each([&](NodeId node, const Transform& world) {
+    scene_.graph.for_each_shown([&](NodeId node, const Transform& world) {
       const std::uint32_t own = scene_.graph.material(node);
       materials[node] = own != no_item || node == root_node ? own : materials[scene_.graph.parent(node)];
       const std::uint32_t geometry = scene_.graph.geometry(node);
@@ -114,7 +114,7 @@ class Painter {
     const auto after = std::upper_bound(firsts_.begin(), firsts_.end(), hit.prim_id);
     const auto instance = static_cast<std::uint32_t>(after - firsts_.begin() - 1);
     const auto local = static_cast<std::uint32_t>(hit.prim_id - firsts_[instance]);
-    const SceneInstances::Origin& origin = flat_.origins[instance];
+    const SceneOrigin& origin = flat_.origins[instance];
     const auto& geometry = std::get<MeshGeometry>(scene_.geometries[scene_.graph.geometry(origin.node)].shape);
     auto [a, b, c] = geometry.mesh->triangles()[local];
     if (flat_.instances.placements()[instance].is_mirroring()) std::swap(b, c);  // as the flattened mesh lists them

@@ -130,6 +130,9 @@ class GltfReader {
     if (const auto light = extensions ? extensions->find("KHR_lights_punctual") : std::nullopt) {
       node.light = number_of((*light)["light"], model_.lights.size(), "a light");
     }
+    if (const auto visibility = extensions ? extensions->find("KHR_node_visibility") : std::nullopt) {
+      if (const auto visible = visibility->find("visible")) node.is_visible = visible->truth();
+    }
     return node;
   }
 

@@ -66,6 +66,7 @@ struct ModelNode {
   Affine local;                    ///< Finite; it may be singular.
   std::vector<std::uint32_t> meshes;
   std::uint32_t camera = nothing, light = nothing;
+  bool is_visible = true;  ///< With all below it.
 };
 
 /// Keys of one part of a node's place; see scene/animation.h.

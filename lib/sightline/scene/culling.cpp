@@ -5,8 +5,8 @@
 namespace sightline {
 namespace {
 
-/// Depth-first; leaves out all below a node whose bounds are not met. Clark, "Hierarchical Geometric Models for Visible
-/// Surface Algorithms", 1976.
+/// Depth-first; leaves out all below a node that is hidden or whose bounds are not met. Clark, "Hierarchical Geometric
+/// Models for Visible Surface Algorithms", 1976.
 template <class V, class Meets>
 Culled cull_by(LiveScene& scene, const Meets& meets) {
   scene.refresh(kind_of<V>);
@@ -14,7 +14,7 @@ Culled cull_by(LiveScene& scene, const Meets& meets) {
   Culled culled;
   for (NodeId node = root_node;;) {
     ++culled.tests;
-    const bool is_met = meets(scene.bounds<V>(node));
+    const bool is_met = graph.is_visible(node) && meets(scene.bounds<V>(node));
     const NodeId child = graph.first_child(node);
     if (is_met && graph.geometry(node) != no_item) {
       culled.tests += child != no_node;  // of a leaf both bounds are one

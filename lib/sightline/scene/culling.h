@@ -9,7 +9,7 @@
 
 namespace sightline {
 
-/// Nodes with geometry that may be met, in order, and how many bounds were asked.
+/// Nodes with geometry that are shown and may be met, in order, and how many bounds were asked.
 struct Culled {
   std::vector<NodeId> nodes;
   std::size_t tests = 0;

@@ -28,6 +28,10 @@ class Exporter {
 
   std::vector<std::string> write(const std::filesystem::path& path) {
     document_["asset"] = {{"version", "2.0"}, {"generator", "Sightline"}};
+    const auto* plain = std::get_if<Color>(&scene_.surroundings.background);
+    if (!plain || *plain != Color(0) || scene_.ambient.color != Color(0) || scene_.fog.density > 0) {
+      warn("surroundings", "none", "a background, ambient light or fog");
+    }
     for (const Material& material : scene_.materials) document_["materials"].push_back(material_of(material));
     add_nodes();
     for (const Light& light : scene_.lights) add(light);
@@ -54,6 +58,7 @@ class Exporter {
     if (const auto texture = texture_of(material.normal_map)) {
       result["normalTexture"] = {{"index", *texture}, {"scale", material.normal_strength}};
     }
+    if (material.dents) warn("material \"" + material.name + "\"", "an image of normals", "dents of noise");
     if (const float brightest = max_norm(material.emission); brightest > 0) {
       result["emissiveFactor"] = numbers(brightest > 1 ? material.emission / brightest : material.emission);
       if (brightest > 1) extend(result, "KHR_materials_emissive_strength")["emissiveStrength"] = brightest;
@@ -158,6 +163,7 @@ class Exporter {
           ++solids;
         }
       }
+      if (!graph.is_visible(id)) extend(node, "KHR_node_visibility")["visible"] = false;
       if (id == root_node || (parent == root_node && !has_root)) {
         roots.push_back(nodes.size());
       } else {
@@ -174,7 +180,8 @@ class Exporter {
   /// The root is no node of glTF's unless it says something.
   bool needs_root() const {
     const SceneGraph& graph = scene_.graph;
-    bool needs = !graph.local(root_node).matrix().is_identity() || graph.geometry(root_node) != no_item;
+    bool needs = !graph.local(root_node).matrix().is_identity() || graph.geometry(root_node) != no_item ||
+                 !graph.is_visible(root_node);
     for (const Light& light : scene_.lights) needs = needs || light.node == root_node;
     for (const SceneCamera& camera : scene_.cameras) needs = needs || camera.node == root_node;
     for (const Animation& animation : scene_.animations) {
@@ -223,6 +230,7 @@ class Exporter {
   }
 
   void add(const SceneCamera& camera) {
+    if (camera.aperture > 0) warn("lens of camera \"" + camera.name + "\"", "a pinhole", "an aperture");
     document_["cameras"].push_back({{"name", camera.name},
                                     {"type", "perspective"},
                                     {"perspective", {{"yfov", camera.field_of_view * radians}, {"znear", 0.01}}}});

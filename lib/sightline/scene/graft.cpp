@@ -41,7 +41,7 @@ void graft(Scene& into, NodeId parent, const Scene& from, const ListOffsets& off
     throw std::length_error("at most " + std::to_string(most_nodes) + " nodes");
   }
   const bool has_root = !graph.local(root_node).matrix().is_identity() || graph.geometry(root_node) != no_item ||
-                        graph.material(root_node) != no_item;
+                        graph.material(root_node) != no_item || !graph.is_visible(root_node);
   std::vector<NodeId> copies(graph.size(), no_node);
   copies[root_node] = parent;
   graph.for_each([&](NodeId node, const Transform&) {
@@ -50,6 +50,7 @@ void graft(Scene& into, NodeId parent, const Scene& from, const ListOffsets& off
     const NodeId copy = into.graph.add(above, graph.name(node), graph.local(node));
     into.graph.set_geometry(copy, moved(graph.geometry(node), offsets.geometries));
     into.graph.set_material(copy, moved(graph.material(node), offsets.materials));
+    into.graph.set_visible(copy, graph.is_visible(node));
     copies[node] = copy;
   });
   for (Light light : from.lights) {

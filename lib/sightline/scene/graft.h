@@ -20,8 +20,8 @@ inline constexpr std::size_t most_items = std::size_t{1} << 20;
 ListOffsets append_lists(Scene& into, const Scene& from);
 
 /// Copies the nodes of `from`, with its lights, cameras and animations, below a node of another scene: the root's
-/// children, or the root itself where that has a place, geometry or material of its own.
-/// \throws std::length_error where the scene would have more than `most_nodes`.
+/// children, or the root itself where that has a place, geometry or material of its own or is hidden. What is around
+/// the scene stays behind. \throws std::length_error where the scene would have more than `most_nodes`.
 void graft(Scene& into, NodeId parent, const Scene& from, const ListOffsets& offsets = {});
 
 }  // namespace sightline

@@ -35,7 +35,7 @@ class LiveScene {
   const Scene& scene() const { return scene_; }
   const SceneGraph& graph() const { return scene_.graph; }
 
-  // ---- Changes; each bubbles.
+  // ---- Changes; each bubbles but the last.
 
   NodeId add(NodeId parent, std::string name, const Transform& local = {}, std::uint32_t geometry = no_item);
   void set_local(NodeId node, const Transform& local);
@@ -45,6 +45,8 @@ class LiveScene {
   /// Another shape for all nodes that have the geometry.
   void replace_geometry(std::uint32_t geometry, Geometry shape);
   void apply(std::span<const NodePose> poses);
+  /// Bounds are of hidden nodes too, so nothing bubbles.
+  void set_visible(NodeId node, bool is_visible) { scene_.graph.set_visible(node, is_visible); }
 
   // ---- Questions. References hold until the next call.
 

@@ -31,6 +31,17 @@ Transform SceneGraph::world(NodeId node) const {
   return product;
 }
 
+void SceneGraph::set_visible(NodeId node, bool is_visible) {
+  if (is_visible == this->is_visible(node)) return;
+  if (node >= hidden_.size()) hidden_.resize(node + std::size_t{1});
+  hidden_[node] = !is_visible;
+}
+
+bool SceneGraph::is_shown(NodeId node) const {
+  while (node != no_node && is_visible(node)) node = parent(node);
+  return node == no_node;
+}
+
 std::string SceneGraph::path(NodeId node) const {
   std::vector<NodeId> way;
   for (NodeId above = node; above != root_node; above = parent(above)) way.push_back(above);

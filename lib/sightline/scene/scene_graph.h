@@ -49,6 +49,13 @@ class SceneGraph {
   void set_geometry(NodeId node, std::uint32_t geometry) { nodes_[node].geometry = geometry; }
   void set_material(NodeId node, std::uint32_t material) { nodes_[node].material = material; }
 
+  /// A node that is not visible hides itself and all below it: its geometry is not there, its lights are out. Cameras
+  /// see from there all the same.
+  bool is_visible(NodeId node) const { return node >= hidden_.size() || !hidden_[node]; }
+  void set_visible(NodeId node, bool is_visible);
+  /// Whether the node and all above it are visible.
+  bool is_shown(NodeId node) const;
+
   /// Names from the root on, "/person/torso/arm"; nodes without a name by their number.
   std::string path(NodeId node) const;
   /// The first node that has the path, or no_node.
@@ -56,7 +63,25 @@ class SceneGraph {
 
   /// Calls visit(node, world) for `from` and all below it, parents first, children in their order (depth-first).
   template <class Visit>
-  void for_each(Visit&& visit, NodeId from = root_node) const;
+  void for_each(Visit&& visit, NodeId from = root_node) const {
+    walk(
+        [&](NodeId node, const Transform& world) {
+          visit(node, world);
+          return true;
+        },
+        from);
+  }
+
+  /// The same of all nodes that are shown.
+  template <class Visit>
+  void for_each_shown(Visit&& visit) const {
+    walk(
+        [&](NodeId node, const Transform& world) {
+          if (is_visible(node)) visit(node, world);
+          return is_visible(node);
+        },
+        root_node);
+  }
 
  private:
   struct Node {
@@ -69,18 +94,22 @@ class SceneGraph {
   void append(NodeId node, NodeId parent);
   void remove(NodeId node);
 
+  /// `visit` tells whether to go on below the node.
+  template <class Visit>
+  void walk(Visit&& visit, NodeId from) const;
+
   std::vector<Node> nodes_;
+  std::vector<bool> hidden_;  ///< Of nodes, up to the last one that ever was.
 };
 
 template <class Visit>
-void SceneGraph::for_each(Visit&& visit, NodeId from) const {
+void SceneGraph::walk(Visit&& visit, NodeId from) const {
   MatrixStack stack;
   if (const NodeId above = parent(from); above != no_node) stack.multiply(world(above));
   for (NodeId node = from;;) {
     stack.push();
     stack.multiply(local(node));
-    visit(node, stack.current());
-    if (first_child(node) != no_node) {
+    if (visit(node, stack.current()) && first_child(node) != no_node) {
       node = first_child(node);
       continue;
     }

@@ -135,6 +135,7 @@ Scene scene_of(const std::filesystem::path& path, Model model) {
     }
     const NodeId id = scene.graph.add(parent, node.name, local);
     ids.push_back(id);
+    scene.graph.set_visible(id, node.is_visible);
     // A node of a graph has one geometry at most, so that those of several materials stand below it.
     for (const std::uint32_t mesh : node.meshes) {
       const NodeId place = node.meshes.size() == 1 ? id : scene.graph.add(id, model.meshes[mesh].name);

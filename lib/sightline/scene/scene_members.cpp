@@ -11,34 +11,43 @@ namespace {
 
 using Names = std::string_view;
 
-constexpr auto scene = std::to_array<Names>(
-    {"$schema", "name", "include", "textures", "materials", "geometries", "groups", "objects", "animations"});
+constexpr auto scene =
+    std::to_array<Names>({"$schema", "name", "include", "textures", "materials", "geometries", "groups", "objects",
+                          "animations", "background", "ambient", "fog", "render"});
 constexpr auto texture = std::to_array<Names>({"procedural", "image", "data"});
 constexpr auto material =
-    std::to_array<Names>({"color", "color_texture", "normal_map", "normal_strength", "roughness", "metallic",
+    std::to_array<Names>({"color", "color_texture", "normal_map", "normal_strength", "dents", "roughness", "metallic",
                           "transmission", "refractive_index", "absorption", "emission"});
+constexpr auto dents =
+    std::to_array<Names>({"height", "noise", "fractal", "octaves", "lacunarity", "gain", "frequency", "warp", "seed"});
 constexpr auto geometry = std::to_array<Names>(
     {"mesh", "solid", "csg", "sphere", "box", "quad", "lathe", "vertices", "triangles", "normals", "uvs"});
 constexpr auto sphere = std::to_array<Names>({"radius", "segments"});
 constexpr auto box = std::to_array<Names>({"lo", "hi"});
 constexpr auto quad = std::to_array<Names>({"width", "height", "repeat"});
 constexpr auto lathe = std::to_array<Names>({"profile", "segments", "smooth"});
-constexpr auto object = std::to_array<Names>(
-    {"name", "parent", "transform", "material", "geometry", "use", "scene", "light", "camera", "children", "repeat"});
+constexpr auto object = std::to_array<Names>({"name", "parent", "transform", "material", "geometry", "use", "scene",
+                                              "light", "camera", "visible", "children", "repeat"});
 constexpr auto step = std::to_array<Names>({"translate", "rotate", "scale", "matrix", "look_at"});
 constexpr auto rotation = std::to_array<Names>({"axis", "degrees"});
 constexpr auto look_at = std::to_array<Names>({"eye", "target", "up"});
 constexpr auto light =
     std::to_array<Names>({"kind", "color", "intensity", "inner_angle", "outer_angle", "width", "height"});
-constexpr auto camera = std::to_array<Names>({"field_of_view"});
+constexpr auto camera = std::to_array<Names>({"field_of_view", "aperture", "focus_distance", "shutter"});
+constexpr auto background =
+    std::to_array<Names>({"color", "zenith", "horizon", "ground", "image", "rotation", "intensity", "lights"});
+constexpr auto ambient = std::to_array<Names>({"color", "occlusion_distance"});
+constexpr auto fog = std::to_array<Names>({"density", "color"});
+constexpr auto render = std::to_array<Names>({"samples", "depth", "interreflection", "cut_off"});
 constexpr auto repeat = std::to_array<Names>({"count", "transform"});
 constexpr auto animation = std::to_array<Names>({"name", "loop", "channels"});
 constexpr auto channel = std::to_array<Names>({"node", "translation", "rotation", "scale"});
 constexpr auto track = std::to_array<Names>({"interpolation", "times", "values"});
 
-constexpr std::array<SceneMembers, 20> kinds{{{"scene", scene},
+constexpr std::array<SceneMembers, 25> kinds{{{"scene", scene},
                                               {"texture", texture},
                                               {"material", material},
+                                              {"dents", dents},
                                               {"geometry", geometry},
                                               {"sphere", sphere},
                                               {"box", box},
@@ -50,6 +59,10 @@ constexpr std::array<SceneMembers, 20> kinds{{{"scene", scene},
                                               {"look_at", look_at},
                                               {"light", light},
                                               {"camera", camera},
+                                              {"background", background},
+                                              {"ambient", ambient},
+                                              {"fog", fog},
+                                              {"render", render},
                                               {"repeat", repeat},
                                               {"animation", animation},
                                               {"channel", channel},

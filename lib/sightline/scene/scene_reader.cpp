@@ -56,6 +56,7 @@ void SceneReader::read_document(const std::filesystem::path& path) {
   chain.push_back(known);
   read_includes(json);
   if (const auto name = json.find("name"); name && chain.size() == 1) scene_.name = name->text();
+  read_settings(json);
   if (const auto list = json.find("textures")) {
     list->for_each_member([&](const std::string& name, const JsonValue& each) {
       define(textures_, name, scene_.textures.size(), each);

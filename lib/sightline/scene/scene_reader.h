@@ -63,8 +63,15 @@ class SceneReader {
   // scene_reader_surfaces.cpp
   TextureSource texture_of(const std::string& name, const JsonValue& json) const;
   Material material_of(const std::string& name, const JsonValue& json) const;
+  static DentOptions dents_of(const JsonValue& json);
   Light light_of(const JsonValue& json) const;
-  SceneCamera camera_of(const JsonValue& json) const;
+
+  // scene_reader_settings.cpp
+  /// What a document says of the scene as a whole, in place of what those said that it includes.
+  void read_settings(const JsonValue& json);
+  static Surroundings surroundings_of(const JsonValue& json);
+  static RenderHints render_hints_of(const JsonValue& json);
+  static SceneCamera camera_of(const JsonValue& json);
 
   // scene_reader_shapes.cpp
   Geometry geometry_of(const std::string& name, const JsonValue& json);

@@ -44,6 +44,7 @@ void SceneReader::fill_object(const JsonValue& json, Scene& into, NodeId node, b
   if (const auto material = json.find("material")) {
     into.graph.set_material(node, look_up(materials_, *material, "materials"));
   }
+  if (const auto visible = json.find("visible")) into.graph.set_visible(node, visible->truth());
   if (const auto geometry = json.find("geometry")) {
     if (geometry->is_text()) {
       into.graph.set_geometry(node, look_up(geometries_, *geometry, "geometries"));

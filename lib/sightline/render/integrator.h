@@ -1,0 +1,153 @@
+#pragma once
+/// From rays to light: one integrator, of which only those parts are compiled that a set of effects needs.
+///
+/// Rays of a tile travel in waves: all camera rays of up to 64 pixels at once, then all that these ask for, one wave a
+/// kind of ray, until none is left. So structures get neighbouring rays together, each wave's time and number belong to
+/// one effect, and what no effect asks for is no instruction.
+///   I1  What a sample adds to its pixel depends on its pixel, its number and the scene: not on the tile, nor on which
+///       effects were compiled besides those that are used. Draws are by purpose (sampler.h), and waves follow each
+///       other in one order, so that sums have one order.
+///   I2  Each surface scatters at most what it takes in: mirror, glass and diffuse parts share it by Fresnel's law.
+/// Whitted, "An Improved Illumination Model for Shaded Display", 1980; Cook, Porter and Carpenter, "Distributed Ray
+/// Tracing", 1984; Kajiya, "The Rendering Equation", 1986; Hall and Greenberg, "A Testbed for Realistic Image
+/// Synthesis", 1983.
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "sightline/render/picture_source.h"
+#include "sightline/render/render_scene.h"
+#include "sightline/render/sampler.h"
+#include "sightline/render/scattering.h"
+#include "sightline/render/stage_clock.h"
+
+namespace sightline {
+
+/// A ray on its way, and what it stands for.
+struct Path {
+  Color weight{1};                 ///< Of what it meets, in the pixel.
+  std::uint32_t slot = 0;          ///< Of its sample in the wave of the camera.
+  std::uint32_t medium = no_item;  ///< Material of what it is in.
+  std::uint16_t depth = 0;         ///< Surfaces before.
+  bool is_scattered = false;       ///< By a diffuse surface, last.
+  float width = 0, spread = 0;     ///< Of what it stands for: at its origin, and for each unit of length.
+};
+
+struct RayWave {
+  std::vector<Ray<double>> rays;
+  std::vector<Path> paths;
+
+  bool is_empty() const { return rays.empty(); }
+  void clear() {
+    rays.clear();
+    paths.clear();
+  }
+  void add(const Ray<double>& ray, const Path& path) {
+    rays.push_back(ray);
+    paths.push_back(path);
+  }
+};
+
+/// Light that arrives if nothing is in between.
+struct Sights {
+  struct Light {
+    Color color;
+    std::uint32_t slot;  ///< As that of a path.
+  };
+  std::vector<Ray<double>> rays;
+  std::vector<Light> lights;
+
+  void clear() {
+    rays.clear();
+    lights.clear();
+  }
+};
+
+inline float largest(const Color& color) { return std::max({color.x, color.y, color.z}); }
+
+template <Effects has>
+class Integrator {
+ public:
+  /// `times` may be null.
+  Integrator(const RenderScene& scene, RenderCounters& counters, StageTimes* times)
+      : scene_(scene), counters_(counters), times_(times) {}
+
+  /// As PictureSource asks for them.
+  void add_samples(TileBuffer& tile, std::span<const std::uint32_t> pixels, SampleRange range, FactsAsked facts);
+
+ private:
+  static constexpr std::size_t wave_size = 64;
+
+  /// Rays that go on, in the order in which their waves follow each other.
+  enum Kind : std::size_t { mirrored, spread, passing, scattered, kind_count };
+  static constexpr std::array<Effect, kind_count> effects_of_kinds{Effect::mirror, Effect::glossy, Effect::refraction,
+                                                                   Effect::interreflection};
+  enum Sight : std::size_t { to_point, to_area, to_occluder, to_sky, sight_count };
+  static constexpr std::array<Effect, sight_count> effects_of_sights{Effect::hard_shadow, Effect::soft_shadow,
+                                                                     Effect::ambient_occlusion, Effect::environment};
+
+  static constexpr bool reflects = has.has(Effect::mirror) || has.has(Effect::glossy);
+  static constexpr bool is_specular = reflects || has.has(Effect::refraction);
+
+  static constexpr bool has_footprints =
+      has.has(Effect::procedural_texture) || has.has(Effect::image_texture) || has.has(Effect::normal_map);
+  /// Whether anything asks for lengths along rays, and for directions of unit length.
+  static constexpr bool has_lengths =
+      is_specular || has_footprints || has.has(Effect::absorption) || has.has(Effect::fog);
+
+  /// A hit while it is shaded.
+  struct Shade {
+    const SurfaceMaterial& material;
+    std::uint32_t number;  ///< Of the material.
+    const WorldHit& hit;
+    SurfacePoint at;
+    Vec3d to_viewer{0};        ///< Of unit length where the integrator has lengths.
+    Vec3d side{0}, normal{0};  ///< Of unit length, on the viewer's side.
+    bool is_inside = false;
+    Color color{0};
+    double eta = 1;            ///< As fresnel() takes it.
+    float goes_scattered = 1;  ///< What a scattered path's weight is multiplied by; 0 where it ends.
+  };
+
+  // integrator_of.h
+  void look(const TileRect& rect, std::span<const std::uint32_t> places);
+  void note_facts(TileBuffer& tile, std::span<const std::uint32_t> places, FactsAsked facts);
+  void follow();
+  void trace(const RayWave& wave, StageTimes::Clock::duration* time);
+  void see();
+  Color passed(const Ray<double>& ray);
+  Sampler sampler(std::uint32_t slot) const { return {scene_.seed, pixel_numbers_[slot], sample_}; }
+
+  // integrator_shading.h
+  void shade_miss(const Ray<double>& ray, Path path);
+  void shade(const Ray<double>& ray, Path path, const WorldHit& hit);
+  void in_fog(double length, Path& path, Color& light) const;
+  Color color_at(const Shade& shade, const Path& path);
+  Vec3d normal_at(const Shade& shade, const Path& path);
+  Color share_out(Shade& shade, const Path& path);
+  void shine(const Shade& shade, const Path& path, const Color& diffuse);
+  Color highlight(const Shade& shade, const Vec3d& to_lamp, double cosine) const;
+  void look_around(const Shade& shade, const Path& path, const Color& diffuse);
+  void add_sight(Sight sight, const Shade& shade, const Vec3d& direction, double length, const Color& light,
+                 std::uint32_t slot);
+  void go_on(Kind kind, const Shade& shade, const Path& path, const Vec3d& direction, const Color& weight);
+
+  const RenderScene& scene_;
+  RenderCounters& counters_;
+  StageTimes* times_;
+
+  const Moment* moment_ = nullptr;
+  std::uint32_t sample_ = 0;
+  std::array<std::uint32_t, wave_size> pixel_numbers_{};  ///< In the picture, of the wave of the camera.
+  std::array<Vec3d, wave_size> radiance_{};
+  RayWave current_;
+  std::array<RayWave, kind_count> next_;
+  std::array<Sights, sight_count> sights_;
+  std::vector<WorldHit> hits_;
+  std::vector<std::uint8_t> is_stopped_;
+};
+
+}  // namespace sightline

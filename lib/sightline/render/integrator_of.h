@@ -1,0 +1,216 @@
+#pragma once
+/// How an Integrator's waves go. How a surface takes light is in integrator_shading.h.
+
+#include <cassert>
+#include <limits>
+
+#include "sightline/render/integrator.h"
+#include "sightline/render/integrator_shading.h"
+
+namespace sightline {
+namespace detail {
+
+/// Squares of 4 x 4 pixels together: sixteen neighbours make a packet.
+inline std::vector<std::uint32_t> in_squares(const TileRect& rect, std::span<const std::uint32_t> pixels) {
+  constexpr int side = 4;
+  std::vector<std::uint8_t> is_asked(rect.pixels());
+  for (const std::uint32_t pixel : pixels) is_asked[pixel] = 1;
+  std::vector<std::uint32_t> order;
+  order.reserve(pixels.size());
+  for (int y = 0; y < rect.height; y += side) {
+    for (int x = 0; x < rect.width; x += side) {
+      for (int j = y; j < std::min(y + side, rect.height); ++j) {
+        for (int i = x; i < std::min(x + side, rect.width); ++i) {
+          const auto pixel = static_cast<std::uint32_t>(j * rect.width + i);
+          if (is_asked[pixel]) order.push_back(pixel);
+        }
+      }
+    }
+  }
+  return order;
+}
+
+}  // namespace detail
+
+template <Effects has>
+void Integrator<has>::add_samples(TileBuffer& tile, std::span<const std::uint32_t> pixels, SampleRange range,
+                                  FactsAsked facts) {
+  const std::vector<std::uint32_t> order = detail::in_squares(tile.rect, pixels);
+  for (sample_ = range.first; sample_ < range.last; ++sample_) {
+    moment_ = scene_.moments[sample_ % scene_.moments.size()].get();
+    for (std::size_t first = 0; first < order.size(); first += wave_size) {
+      const auto places = std::span(order).subspan(first, std::min(wave_size, order.size() - first));
+      look(tile.rect, places);
+      trace(current_, StageClock::camera(times_));
+      if (sample_ == 0 && facts != FactsAsked::none) note_facts(tile, places, facts);
+      see();
+      follow();
+      for (std::size_t i = 0; i < places.size(); ++i) tile.sums[places[i]].add(radiance_[i]);
+    }
+  }
+}
+
+template <Effects has>
+void Integrator<has>::look(const TileRect& rect, std::span<const std::uint32_t> places) {
+  const Lens& lens = moment_->lens;
+  const Camera& camera = lens.camera;
+  const Vec3d column = camera.right / double(camera.width), row = camera.up / double(camera.height);
+  const bool is_spread = scene_.effects.has(Effect::antialiasing);
+  current_.rays.resize(places.size());
+  current_.paths.resize(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto slot = static_cast<std::uint32_t>(i);
+    const int x = rect.x + static_cast<int>(places[i]) % rect.width;
+    const int y = rect.y + static_cast<int>(places[i]) / rect.width;
+    pixel_numbers_[i] =
+        static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(camera.width) + static_cast<std::uint32_t>(x);
+    radiance_[i] = Vec3d(0);
+    glm::dvec2 within(0.5);
+    if (is_spread) within = sampler(slot).square(Draw::pixel);
+    Ray<double>& ray = current_.rays[i];
+    ray = {};
+    ray.origin = camera.eye;
+    ray.direction =
+        camera.forward + (2 * (x + within.x) - camera.width) * column + (camera.height - 2 * (y + within.y)) * row;
+    if constexpr (has.has(Effect::depth_of_field)) {
+      if (scene_.effects.has(Effect::depth_of_field)) {
+        const glm::dvec2 on_lens = lens.radius * on_disk(sampler(slot).square(Draw::lens));
+        const Vec3d shift = on_lens.x * glm::normalize(camera.right) + on_lens.y * glm::normalize(camera.up);
+        ray.origin += shift;
+        ray.direction -= shift / lens.focus_distance;
+        ++counters_[Effect::depth_of_field];
+      }
+    }
+    Path& path = current_.paths[i];
+    path = {};
+    path.slot = slot;
+    if constexpr (has_footprints) path.spread = static_cast<float>(2 * glm::length(row) / glm::length(ray.direction));
+  }
+  counters_.camera_rays += places.size();
+  if (is_spread) counters_[Effect::antialiasing] += places.size();
+  if (scene_.moments.size() > 1) counters_[Effect::motion_blur] += places.size();
+}
+
+/// Reads the hits of the camera's rays, which have just been traced.
+template <Effects has>
+void Integrator<has>::note_facts(TileBuffer& tile, std::span<const std::uint32_t> places, FactsAsked facts) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    PixelFacts& fact = tile.facts[places[i]];
+    const WorldHit& hit = hits_[i];
+    const Ray<double>& ray = current_.rays[i];
+    if (hit.is_hit()) {
+      const SurfacePoint at = moment_->surfaces->locate(ray, hit);
+      fact.depth = static_cast<float>(hit.t * glm::length(ray.direction));
+      fact.normal = Vec3f(moment_->surfaces->normal(hit, at));
+      fact.object = moment_->surfaces->node(hit);
+    }
+    if (facts == FactsAsked::with_work) {
+      std::uint64_t work = 0;
+      moment_->world->closest_hit(ray, work);
+      fact.work = static_cast<std::uint32_t>(std::min<std::uint64_t>(work, 0xffff'ffff));
+    }
+  }
+}
+
+/// Until no ray is left; each kind's rays by themselves, in the same order whatever is compiled (I1).
+template <Effects has>
+void Integrator<has>::follow() {
+  bool goes_on = true;
+  const auto wave = [&]<Kind kind>() {
+    if constexpr (has.has(effects_of_kinds[kind])) {
+      if (next_[kind].is_empty()) return;
+      std::swap(current_, next_[kind]);
+      next_[kind].clear();
+      counters_[effects_of_kinds[kind]] += current_.rays.size();
+      trace(current_, StageClock::of(times_, effects_of_kinds[kind]));
+      see();
+      goes_on = true;
+    }
+  };
+  while (std::exchange(goes_on, false)) {
+    wave.template operator()<mirrored>();
+    wave.template operator()<spread>();
+    wave.template operator()<passing>();
+    wave.template operator()<scattered>();
+  }
+}
+
+template <Effects has>
+void Integrator<has>::trace(const RayWave& wave, StageTimes::Clock::duration* time) {
+  hits_.resize(wave.rays.size());
+  {
+    const StageClock clock(time);
+    moment_->world->closest_hits(wave.rays, hits_);
+  }
+  const StageClock clock(StageClock::shading(times_));
+  for (std::size_t i = 0; i < wave.rays.size(); ++i) {
+    if (hits_[i].is_hit()) {
+      shade(wave.rays[i], wave.paths[i], hits_[i]);
+    } else {
+      shade_miss(wave.rays[i], wave.paths[i]);
+    }
+  }
+}
+
+/// Adds the light that nothing stops.
+template <Effects has>
+void Integrator<has>::see() {
+  const auto ask = [&]<Sight sight>() {
+    if constexpr (has.has(effects_of_sights[sight])) {
+      Sights& sights = sights_[sight];
+      if (sights.rays.empty()) return;
+      const StageClock clock(StageClock::of(times_, effects_of_sights[sight]));
+      counters_[effects_of_sights[sight]] += sights.rays.size();
+      is_stopped_.resize(sights.rays.size());
+      const TraceWorld& world = has.has(Effect::refraction) && moment_->opaque ? *moment_->opaque : *moment_->world;
+      world.any_hits(sights.rays, is_stopped_);
+      for (std::size_t i = 0; i < sights.rays.size(); ++i) {
+        if (is_stopped_[i]) continue;
+        Color light = sights.lights[i].color;
+        if constexpr (has.has(Effect::refraction)) {
+          if (moment_->clear) light *= passed(sights.rays[i]);
+        }
+        radiance_[sights.lights[i].slot] += Vec3d(light);
+      }
+      sights.clear();
+    }
+  };
+  ask.template operator()<to_point>();
+  ask.template operator()<to_area>();
+  ask.template operator()<to_occluder>();
+  ask.template operator()<to_sky>();
+}
+
+/// The share of light that what is transparent lets through, as if it went straight on.
+template <Effects has>
+Color Integrator<has>::passed(const Ray<double>& ray) {
+  constexpr int most_boundaries = 64;
+  const TraceWorld& world = *moment_->clear;
+  const Surfaces& surfaces = *moment_->clear_surfaces;
+  Color left(1);
+  Ray<double> rest = ray;
+  for (int i = 0; i < most_boundaries; ++i) {
+    WorldHit hit;
+    world.closest_hits(std::span<const Ray<double>>(&rest, 1), std::span(&hit, 1));
+    if (!hit.is_hit()) return left;
+    ++counters_[Effect::refraction];
+    const SurfaceMaterial& material = (*scene_.materials)[surfaces.material(hit)];
+    if (!material.is_transparent) return Color(0);
+    const SurfacePoint at = surfaces.locate(rest, hit);
+    const double cosine = glm::dot(at.outside, rest.direction);
+    const bool is_leaving = cosine > 0;
+    const Material& values = material.values;
+    if (is_leaving) left *= glm::exp(-static_cast<float>(hit.t) * values.absorption);
+    // By the same angle on both sides, as of a plate.
+    const double through =
+        material.has_coat ? 1 - fresnel(std::min(1.0, std::fabs(cosine)), values.refractive_index) : 1;
+    left *= static_cast<float>((1 - values.metallic) * values.transmission * through) * values.color;
+    if (largest(left) == 0) return left;
+    rest.origin = at.beyond(is_leaving ? at.outside : -at.outside);
+    rest.t_max -= hit.t;
+    if (!(rest.t_max > 0)) return left;
+  }
+  return Color(0);
+}
+
+}  // namespace sightline

@@ -1,0 +1,314 @@
+#pragma once
+/// How an Integrator's surfaces take light.
+
+#include <cmath>
+#include <numbers>
+
+#include "sightline/render/integrator.h"
+#include "sightline/texture/normal_map.h"
+
+namespace sightline {
+
+template <Effects has>
+void Integrator<has>::shade_miss(const Ray<double>& ray, Path path) {
+  Color sky(0);
+  const bool is_lit = !path.is_scattered || scene_.sky_lights;
+  if (scene_.has_sky && is_lit) sky = scene_.sky->toward(glm::normalize(ray.direction));
+  Color light(0);
+  in_fog(std::numeric_limits<double>::infinity(), path, light);
+  light += path.weight * sky;
+  radiance_[path.slot] += Vec3d(light);
+}
+
+/// What is left of a path after the length; what fog adds to it.
+template <Effects has>
+void Integrator<has>::in_fog(double length, Path& path, Color& light) const {
+  if constexpr (has.has(Effect::fog)) {
+    if (scene_.fog.density == 0 || path.medium != no_item) return;
+    ++counters_[Effect::fog];
+    const auto left = static_cast<float>(std::exp(-scene_.fog.density * length));
+    light += (1 - left) * path.weight * scene_.fog.color;
+    path.weight *= left;
+  }
+}
+
+template <Effects has>
+void Integrator<has>::shade(const Ray<double>& ray, Path path, const WorldHit& hit) {
+  const Surfaces& surfaces = *moment_->surfaces;
+  const std::uint32_t number = surfaces.material(hit);
+  const SurfaceMaterial& material = (*scene_.materials)[number];
+  Shade shade{material, number, hit, surfaces.locate(ray, hit)};
+  shade.to_viewer = -ray.direction;
+  [[maybe_unused]] double length = 0;
+  if constexpr (has_lengths) {
+    const double speed = std::sqrt(glm::dot(ray.direction, ray.direction));
+    length = hit.t * speed;
+    shade.to_viewer /= speed;
+    path.width += path.spread * static_cast<float>(length);
+  }
+  shade.is_inside = glm::dot(shade.at.outside, shade.to_viewer) < 0;
+  shade.side = shade.is_inside ? -shade.at.outside : shade.at.outside;
+
+  Color light(0);
+  if constexpr (has.has(Effect::absorption)) {
+    if (path.medium != no_item) {
+      const Color& absorption = (*scene_.materials)[path.medium].values.absorption;
+      if (absorption != Color(0)) {
+        path.weight *= glm::exp(-static_cast<float>(length) * absorption);
+        ++counters_[Effect::absorption];
+      }
+    }
+  }
+  if constexpr (has.has(Effect::fog)) in_fog(length, path, light);
+  if (material.is_emitting) {
+    light += path.weight * material.values.emission;
+    ++counters_[Effect::emission];
+  }
+  shade.color = color_at(shade, path);
+  shade.normal = normal_at(shade, path);
+
+  Color diffuse = material.is_diffuse ? shade.color : Color(0);
+  if constexpr (is_specular) diffuse = share_out(shade, path);
+  if (diffuse != Color(0) && scene_.effects.has(Effect::ambient)) {
+    light += path.weight * diffuse * scene_.ambient.color;
+    ++counters_[Effect::ambient];
+  }
+  radiance_[path.slot] += Vec3d(light);
+  shine(shade, path, diffuse);
+  if (diffuse != Color(0)) look_around(shade, path, diffuse);
+}
+
+template <Effects has>
+Color Integrator<has>::color_at(const Shade& shade, const Path& path) {
+  const SurfaceMaterial& material = shade.material;
+  Color color = material.values.color;
+  // What a slanted surface shows of a cone is longer than wide: the mean of both.
+  [[maybe_unused]] const auto footprint = [&] {
+    const double cosine = std::fabs(glm::dot(shade.side, shade.to_viewer));
+    return scene_.has_footprints ? path.width / std::sqrt(std::max(cosine, 0x1p-4)) : 0.0;
+  };
+  if constexpr (has.has(Effect::procedural_texture)) {
+    if (material.color_function) {
+      const StageClock clock(StageClock::of(times_, Effect::procedural_texture), StageClock::shading(times_));
+      const Surfaces& surfaces = *moment_->surfaces;
+      const Vec3d local = surfaces.local(shade.hit, shade.at);
+      color *= (*material.color_function)(local, surfaces.local_footprint(shade.hit, shade.at, footprint()));
+      ++counters_[Effect::procedural_texture];
+    }
+  }
+  if constexpr (has.has(Effect::image_texture)) {
+    if (material.color_image) {
+      const StageClock clock(StageClock::of(times_, Effect::image_texture), StageClock::shading(times_));
+      const Surfaces::ImagePlace place = moment_->surfaces->image_place(shade.hit, shade.at);
+      const double width = place.scale * footprint();
+      color *= (*material.color_image)(place.uv, {{width, 0}, {0, width}});
+      ++counters_[Effect::image_texture];
+    }
+  }
+  return color;
+}
+
+template <Effects has>
+Vec3d Integrator<has>::normal_at(const Shade& shade, const Path& path) {
+  const Surfaces& surfaces = *moment_->surfaces;
+  Vec3d normal = surfaces.normal(shade.hit, shade.at);
+  if constexpr (has.has(Effect::normal_map)) {
+    const SurfaceMaterial& material = shade.material;
+    if (material.normal_map || material.dents) {
+      const StageClock clock(StageClock::of(times_, Effect::normal_map), StageClock::shading(times_));
+      ++counters_[Effect::normal_map];
+      const double footprint = scene_.has_footprints ? path.width : 0;
+      if (material.normal_map) {
+        const Surfaces::ImagePlace place = surfaces.image_place(shade.hit, shade.at);
+        const double width = place.scale * footprint;
+        const Color stored = (*material.normal_map)(place.uv, {{width, 0}, {0, width}});
+        const TangentFrame frame = surfaces.tangent_frame(shade.hit, shade.at, normal);
+        normal = frame.to_world(decode_normal(stored, material.values.normal_strength));
+      }
+      if (material.dents) normal = surfaces.dented(shade.hit, shade.at, normal, *material.dents, footprint);
+    }
+  }
+  // A flat one faces the viewer, but edge-on.
+  if (normal == shade.at.outside && glm::dot(shade.side, shade.to_viewer) > 0) return shade.side;
+  return facing_normal(normal, shade.at.outside, shade.to_viewer);
+}
+
+/// What is reflected of light that comes at this angle to a facet.
+inline Color reflectance(const SurfaceMaterial& material, const Color& color, double dielectric, double cos_facet) {
+  const auto metallic = static_cast<float>(material.values.metallic);
+  Color share(static_cast<float>(dielectric) * (1 - metallic));
+  if (metallic > 0) share += metallic * fresnel_of_metal(color, cos_facet);
+  return share;
+}
+
+/// Sends on what is mirrored and what passes, and returns what is left to be scattered to all sides (I2).
+template <Effects has>
+Color Integrator<has>::share_out(Shade& shade, const Path& path) {
+  const SurfaceMaterial& material = shade.material;
+  const Material& values = material.values;
+  if (!material.has_coat && values.metallic == 0 && !material.is_transparent) {
+    return material.is_diffuse ? shade.color : Color(0);
+  }
+  shade.eta = shade.is_inside && material.is_transparent ? 1 / values.refractive_index : values.refractive_index;
+  Vec3d facet = shade.normal;
+  if constexpr (has.has(Effect::glossy)) {
+    if (material.is_glossy) {
+      const TangentFrame frame = frame_around(shade.normal);
+      facet = frame.to_world(
+          Microfacets(values.roughness)
+              .visible_facet(frame.to_local(shade.to_viewer), sampler(path.slot).square(Draw::glossy, path.depth)));
+    }
+  }
+  const double cos_facet = std::clamp(glm::dot(facet, shade.to_viewer), 0.0, 1.0);
+  const double dielectric = material.has_coat ? fresnel(cos_facet, shade.eta) : 0;
+  const Color reflection = reflectance(material, shade.color, dielectric, cos_facet);
+  const Color rest = static_cast<float>((1 - values.metallic) * (1 - dielectric)) * shade.color;
+  const Color passes = material.is_transparent ? static_cast<float>(values.transmission) * rest : Color(0);
+  const Color diffuse = material.is_diffuse ? static_cast<float>(1 - values.transmission) * rest : Color(0);
+
+  // With interreflection a path goes on in one direction from its second surface on, as likely as light goes there.
+  float goes_reflected = 1, goes_through = 1;
+  if constexpr (has.has(Effect::interreflection)) {
+    if (scene_.effects.has(Effect::interreflection) && path.depth > 0) {
+      const float all = largest(reflection) + largest(passes) + largest(diffuse);
+      const auto chosen = static_cast<float>(sampler(path.slot).square(Draw::lobe, path.depth).x) * all;
+      goes_reflected = chosen < largest(reflection) ? all / largest(reflection) : 0;
+      const bool is_through = goes_reflected == 0 && chosen < largest(reflection) + largest(passes);
+      goes_through = is_through ? all / largest(passes) : 0;
+      shade.goes_scattered = goes_reflected == 0 && !is_through && largest(diffuse) > 0 ? all / largest(diffuse) : 0;
+    }
+  }
+  if constexpr (reflects) {
+    const Vec3d direction = reflected(shade.to_viewer, facet);
+    if (goes_reflected > 0 && glm::dot(direction, shade.side) > 0) {
+      float seen = goes_reflected;
+      if (has.has(Effect::glossy) && material.is_glossy) {
+        const Microfacets facets(values.roughness);
+        const double cos_view = glm::dot(shade.normal, shade.to_viewer), cos_out = glm::dot(shade.normal, direction);
+        seen *= cos_out > 0 ? static_cast<float>(facets.seen_by_both(cos_view, cos_out) / facets.seen(cos_view)) : 0;
+      }
+      go_on(material.is_glossy ? spread : mirrored, shade, path, direction, seen * reflection);
+    }
+  }
+  if constexpr (has.has(Effect::refraction)) {
+    if (goes_through > 0 && material.is_transparent && dielectric < 1) {
+      const Vec3d direction = refracted(shade.to_viewer, shade.normal, shade.eta);
+      if (glm::dot(direction, shade.side) < 0) go_on(passing, shade, path, direction, goes_through * passes);
+    }
+  }
+  return diffuse;
+}
+
+/// Asks the lamps.
+template <Effects has>
+void Integrator<has>::shine(const Shade& shade, const Path& path, const Color& diffuse) {
+  const SurfaceMaterial& material = shade.material;
+  const bool is_glossy = has.has(Effect::glossy) && material.is_glossy;
+  if (diffuse == Color(0) && !is_glossy) return;
+  const std::vector<Lamp>& lamps = moment_->lamps;
+  for (std::uint32_t i = 0; i < lamps.size(); ++i) {
+    const Lamp& lamp = lamps[i];
+    const bool is_area = has.has(Effect::soft_shadow) && lamp.is_area();
+    const std::uint32_t count = is_area ? scene_.light_samples : 1;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      glm::dvec2 place(0.5);
+      if (is_area) place = sampler(path.slot).square(Draw::light, path.depth, i << 8 | k);
+      const LampLight from = light_of(lamp, shade.at.point, place);
+      const double cosine = glm::dot(shade.normal, from.to_lamp);
+      if (!(cosine > 0) || !(glm::dot(shade.side, from.to_lamp) > 0)) continue;
+      ++counters_[Effect::direct_light];
+      Color share = static_cast<float>(cosine * std::numbers::inv_pi) * diffuse;
+      if constexpr (has.has(Effect::glossy)) {
+        if (is_glossy) share += highlight(shade, from.to_lamp, cosine);
+      }
+      const Color light = path.weight * share * from.irradiance / static_cast<float>(count);
+      if (light == Color(0)) continue;
+      add_sight(is_area ? to_area : to_point, shade, from.to_lamp, from.distance, light, path.slot);
+    }
+  }
+}
+
+/// What facets send to the viewer of a lamp's irradiance, their cosine included.
+template <Effects has>
+Color Integrator<has>::highlight(const Shade& shade, const Vec3d& to_lamp, double cosine) const {
+  const Vec3d facet = glm::normalize(to_lamp + shade.to_viewer);
+  const double cos_view = glm::dot(shade.normal, shade.to_viewer);
+  const double cos_facet = std::clamp(glm::dot(facet, shade.to_viewer), 0.0, 1.0);
+  const Microfacets facets(shade.material.values.roughness);
+  const double share =
+      facets.density(glm::dot(shade.normal, facet)) * facets.seen_by_both(cos_view, cosine) / (4 * cos_view);
+  const double dielectric = shade.material.has_coat ? fresnel(cos_facet, shade.eta) : 0;
+  return static_cast<float>(share) * reflectance(shade.material, shade.color, dielectric, cos_facet);
+}
+
+/// Asks what is all around: nothing but what shuts it out, the sky, or surfaces that light this one.
+template <Effects has>
+void Integrator<has>::look_around(const Shade& shade, const Path& path, const Color& diffuse) {
+  const auto direction = [&](Draw purpose) {
+    const Vec3d up = cosine_direction(sampler(path.slot).square(purpose, path.depth));
+    return frame_around(shade.normal).to_world(up);
+  };
+  if constexpr (has.has(Effect::ambient_occlusion)) {
+    if (scene_.effects.has(Effect::ambient_occlusion)) {
+      const Vec3d way = direction(Draw::occlusion);
+      if (glm::dot(way, shade.side) > 0) {
+        add_sight(to_occluder, shade, way, scene_.ambient.occlusion_distance,
+                  path.weight * diffuse * scene_.ambient.color, path.slot);
+      }
+    }
+  }
+  if constexpr (has.has(Effect::environment)) {
+    if (scene_.effects.has(Effect::environment)) {
+      const Vec3d way = direction(Draw::environment);
+      if (glm::dot(way, shade.side) > 0) {
+        add_sight(to_sky, shade, way, std::numeric_limits<double>::infinity(),
+                  path.weight * diffuse * scene_.sky->toward(way), path.slot);
+      }
+    }
+  }
+  if constexpr (has.has(Effect::interreflection)) {
+    if (scene_.effects.has(Effect::interreflection) && shade.goes_scattered > 0) {
+      const Vec3d way = direction(Draw::diffuse);
+      if (glm::dot(way, shade.side) > 0) go_on(scattered, shade, path, way, shade.goes_scattered * diffuse);
+    }
+  }
+}
+
+template <Effects has>
+void Integrator<has>::add_sight(Sight sight, const Shade& shade, const Vec3d& direction, double length,
+                                const Color& light, std::uint32_t slot) {
+  Sights& sights = sights_[sight];
+  sights.rays.push_back({shade.at.beyond(shade.side), direction, 0, length});
+  sights.lights.push_back({light, slot});
+}
+
+template <Effects has>
+void Integrator<has>::go_on(Kind kind, const Shade& shade, const Path& path, const Vec3d& direction,
+                            const Color& weight) {
+  Path next = path;
+  next.weight = path.weight * weight;
+  next.depth = static_cast<std::uint16_t>(path.depth + 1);
+  next.is_scattered = kind == scattered;
+  if (kind == passing) next.medium = shade.is_inside ? no_item : shade.number;
+  if (kind == scattered) next.spread = std::max(next.spread, 0.5f);
+  if (kind == spread) next.spread = std::max(next.spread, static_cast<float>(shade.material.values.roughness) / 2);
+  const float largest_weight = largest(next.weight);
+  if (next.depth > scene_.depth || !(largest_weight > scene_.cut_off * (kind != scattered))) {
+    ++counters_.rays_cut_off;
+    return;
+  }
+  if constexpr (has.has(Effect::interreflection)) {
+    constexpr int sure = 3;  // bounces before chance decides
+    if (kind == scattered && next.depth > sure) {
+      const float survives = std::clamp(largest_weight, 0.05f, 1.0f);
+      if (sampler(path.slot).square(Draw::survival, path.depth).x >= survives) return;
+      next.weight /= survives;
+    }
+  }
+  Ray<double> ray;
+  ray.origin = shade.at.beyond(kind == passing ? -shade.side : shade.side);
+  ray.direction = direction;
+  next_[kind].add(ray, next);
+}
+
+}  // namespace sightline

@@ -1,0 +1,157 @@
+#include "sightline/render/trace_world.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace sightline {
+namespace {
+
+/// Rays that are traced together, so that what is found of them stays near.
+constexpr std::size_t batch = 64;
+
+std::uint64_t sum_of(const TraversalStats& stats) { return stats.nodes + stats.leaves + stats.candidates; }
+
+}  // namespace
+
+TraceWorld::TraceWorld(const Scene& scene, const WorldSettings& settings, const SceneFilter& takes)
+    : level_(settings.level) {
+  SceneInstances meshes = instances_of(scene, takes);
+  SceneSolids solids = solids_of(scene, takes);
+  instances_ = std::make_shared<const Instances>(std::move(meshes.instances));
+  origins_ = std::move(meshes.origins);
+  origins_.insert(origins_.end(), solids.origins.begin(), solids.origins.end());
+
+  TracerSettings of_meshes;
+  of_meshes.options = settings.options;
+  of_meshes.threads = settings.threads;
+  if (instances_->size() > 0 && instances_->triangles() <= settings.flatten_up_to) {
+    for (std::uint32_t i = 0, first = 0; i < instances_->size(); first += instances_->mesh_of(i++).size()) {
+      firsts_.push_back(first);
+    }
+    flat_ = make_tracer(settings.accelerator, std::make_shared<const TriangleMesh>(instances_->flattened()), of_meshes);
+  } else if (instances_->size() > 0) {
+    std::vector<std::shared_ptr<const Tracer>> tracers;
+    for (const auto& mesh : instances_->meshes()) {
+      tracers.push_back(make_tracer(settings.accelerator, mesh, of_meshes));
+    }
+    placed_ = make_instance_tracer(settings.accelerator, instances_, std::move(tracers), of_meshes);
+  }
+  bounds_ = instances_->bounds();
+  for (const auto& solid : solids.solids) bounds_.extend(solid->bounds());
+  if (!solids.solids.empty()) {
+    solids_ = make_solid_tracer(settings.solid_accelerator, std::move(solids.solids), settings.level);
+  }
+}
+
+std::size_t TraceWorld::memory_bytes() const {
+  std::size_t bytes = instances_->placements().size_bytes();
+  if (flat_) bytes += flat_->structure_bytes() + flat_->leaf_bytes();
+  if (placed_) bytes += placed_->structure_bytes();
+  if (solids_) bytes += solids_->structure_bytes();
+  return bytes;
+}
+
+WorldHit TraceWorld::world_hit(const Hit<double>& hit) const {
+  if (!hit.is_hit()) return {};
+  const auto after = std::upper_bound(firsts_.begin(), firsts_.end(), hit.prim_id);
+  const auto item = static_cast<std::uint32_t>(after - firsts_.begin() - 1);
+  return {hit.t, item, hit.prim_id - firsts_[item], hit.u, hit.v};
+}
+
+WorldHit TraceWorld::solid_hit(const Hit<double>& hit) const {
+  if (!hit.is_hit()) return {};
+  return {hit.t, instances_->size() + hit.prim_id, static_cast<std::uint32_t>(hit.u), 0, hit.v};
+}
+
+void TraceWorld::closest_hits(std::span<const Ray<double>> rays, std::span<WorldHit> hits) const {
+  std::array<Hit<double>, batch> found;
+  std::array<InstanceHit<double>, batch> placed;
+  std::array<Ray<double>, batch> shortened;
+  for (std::size_t first = 0; first < rays.size(); first += batch) {
+    std::span<const Ray<double>> part = rays.subspan(first, std::min(batch, rays.size() - first));
+    const std::span<WorldHit> into = hits.subspan(first, part.size());
+    if (flat_) {
+      std::as_const(*flat_).closest_hits(part, std::span(found).first(part.size()));
+      for (std::size_t i = 0; i < part.size(); ++i) into[i] = world_hit(found[i]);
+    } else if (placed_) {
+      std::as_const(*placed_).closest_hits(part, std::span(placed).first(part.size()));
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        into[i] = {placed[i].t, placed[i].instance, placed[i].prim_id, placed[i].u, placed[i].v};
+      }
+    }
+    if (!solids_) {
+      if (!has_meshes()) std::fill(into.begin(), into.end(), WorldHit{});
+      continue;
+    }
+    if (has_meshes()) {
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        shortened[i] = part[i];
+        shortened[i].t_max = std::min(part[i].t_max, into[i].t);
+      }
+      part = std::span(shortened).first(part.size());
+    }
+    solids_->closest_hits(part, std::span(found).first(part.size()));
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      if (!has_meshes() || found[i].t < into[i].t) into[i] = solid_hit(found[i]);  // W2
+    }
+  }
+}
+
+WorldHit TraceWorld::closest_hit(const Ray<double>& ray, std::uint64_t& work) const {
+  WorldHit hit;
+  TraversalStats stats;
+  if (flat_) {
+    Hit<double> found;
+    flat_->closest_hits(std::span(&ray, 1), std::span(&found, 1), stats);
+    hit = world_hit(found);
+  } else if (placed_) {
+    InstanceHit<double> found;
+    placed_->closest_hits(std::span(&ray, 1), std::span(&found, 1), stats);
+    hit = {found.t, found.instance, found.prim_id, found.u, found.v};
+  }
+  work += sum_of(stats);
+  if (solids_) {
+    Ray<double> shortened = ray;
+    shortened.t_max = std::min(ray.t_max, hit.t);
+    Hit<double> found;
+    SolidWork solid_work;
+    solids_->closest_hits(std::span<const Ray<double>>(&shortened, 1), std::span(&found, 1), solid_work);
+    work += sum_of(solid_work.traversal) + solid_work.solids.nodes + solid_work.solids.primitives;
+    if (found.t < hit.t) hit = solid_hit(found);  // W2
+  }
+  return hit;
+}
+
+void TraceWorld::any_hits(std::span<const Ray<double>> rays, std::span<std::uint8_t> is_hit) const {
+  if (!has_meshes()) {
+    if (solids_) return solids_->any_hits(rays, is_hit);
+    std::fill(is_hit.begin(), is_hit.end(), std::uint8_t{0});
+    return;
+  }
+  if (flat_) {
+    flat_->any_hits(rays, is_hit);
+  } else {
+    placed_->any_hits(rays, is_hit);
+  }
+  if (!solids_) return;
+  // Those that no triangle stops.
+  std::array<Ray<double>, batch> open;
+  std::array<std::size_t, batch> places;
+  std::array<std::uint8_t, batch> stopped;
+  std::size_t count = 0;
+  const auto ask = [&] {
+    solids_->any_hits(std::span<const Ray<double>>(open).first(count), std::span(stopped).first(count));
+    for (std::size_t i = 0; i < count; ++i) is_hit[places[i]] = stopped[i];
+    count = 0;
+  };
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (is_hit[i]) continue;
+    open[count] = rays[i];
+    places[count++] = i;
+    if (count == batch) ask();
+  }
+  if (count > 0) ask();
+}
+
+}  // namespace sightline
