@@ -20,6 +20,11 @@ refuses 2 'unknown command' "$root/sightline" 'b*'
 refuses 2 'unknown command' "$root/sightline" help nothing
 refuses 2 "unexpected 'x'" "$root/sightline" doctor x
 refuses 2 'expected a scene' "$root/sightline" plan
+for ranks in '' 0 x -1 1.5; do
+  refuses 2 '--mpi: expected a number of processes' "$root/sightline" render teapot --mpi "$ranks"
+  refuses 2 '--mpi: expected a number of processes' "$root/sightline" render "--mpi=$ranks" teapot
+done
+refuses 2 '--mpi: expected a number of processes' "$root/sightline" render teapot --mpi
 refuses 2 "unexpected 'view'" "$root/sightline" help bench view
 refuses 2 "unexpected 'x'" "$root/sightline" --help bench x
 refuses 2 "unexpected 'x'" "$root/sightline" --version x
