@@ -10,7 +10,7 @@ if ! type -P mpirun >/dev/null; then
 fi
 mpi=(timeout 60 mpirun --oversubscribe --mca odls_base_sigkill_timeout 1)
 [[ $(id -u) != 0 ]] || mpi+=(--allow-run-as-root)
-job=(teapot:1 --size 100x80 --samples 16 --error 0.02 --aov depth,cost --out a.exr)
+job=(teapot:1 --size 100x80 --samples 16 --error 0.02 --aov "depth,cost" --out a.exr)
 
 run "$programs/fake_render" "${job[@]}"
 expect_exit 0
@@ -56,11 +56,12 @@ end_early() {
   expect_exit 0
   is_whole
 }
-ranks_of() { # PROCESS: of an mpirun, in the order of ranks
-  pgrep -P "$1"
-}
+ranks_of() { pgrep -P "$1"; } # of an mpirun, in the order of ranks
+# shellcheck disable=SC2317 # called by end_early
 end_mpirun() { kill -TERM "$1"; }
+# shellcheck disable=SC2317
 kill_first() { kill -KILL "$(ranks_of "$1" | head -n 1)"; }
+# shellcheck disable=SC2317
 kill_last() { kill -KILL "$(ranks_of "$1" | tail -n 1)"; }
 end_early 'mpirun ended' end_mpirun
 end_early 'rank 0 killed' kill_first
