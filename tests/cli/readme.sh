@@ -27,6 +27,7 @@ for line in "${commands[@]}"; do
     './sightline view ') [[ $line != *partitions* || $line == *--out* ]] || words+=(--out window.vtp) ;;
     './sightline scenes ') [[ ${#words[@]} -gt 2 ]] || words+=(--out scenes)
       words=("${words[@]/#data\//$root/data/}") ;;
+    './sightline render ' | './sightline plan ') words=("${words[@]/#data\//$root/data/}") ;;
     './sightline probe ' | './sightline noise ') words=("${words[@]/#data\//$root/data/}") ;;
     './sightline bench ') [[ $line == *--quick* ]] || words+=(--quick) ;;
   esac

@@ -104,7 +104,7 @@ expect_one_line
 expect_says '% of its samples; the same command with --resume goes on'
 expect_file a.exr
 expect_file a.exr.checkpoint
-check 'two files' test "$(ls -A "$work" | wc -l)" = 2
+check 'two files' test "$(find "$work" -type f | wc -l)" = 2
 more=(--resume)
 end_after 0.5 TERM
 expect_exit 143
@@ -163,6 +163,41 @@ with_checkpoint 1 'expected a checkpoint of this version' 40x30 16 0.02 cost
 run "$fake" "${small[@]}" --out a.png --resume
 expect_exit 0
 expect_says 'is not there: rendering from the beginning'
+
+# ---- A window that follows
+
+unset DISPLAY WAYLAND_DISPLAY
+mkdir "$scratch/alone"
+cp "$fake" "$scratch/alone/"
+run "$scratch/alone/fake_render" "${small[@]}" --out a.png --preview --quiet
+expect_exit 0
+expect_one_line
+expect_says './sightline view builds sightline-view'
+expect_file a.png
+if [[ -x $programs/sightline-view ]]; then
+  run "$fake" "${small[@]}" --out a.png --preview --quiet
+  expect_exit 0
+  expect_file a.png
+fi
+if [[ -x $programs/sightline-view ]] && type -P Xvfb >/dev/null; then
+  Xvfb -displayfd 3 -screen 0 800x600x24 3>"$scratch/display" 2>/dev/null &
+  server=$!
+  for ((i = 0; i < 100; ++i)); do [[ ! -s $scratch/display ]] || break; sleep 0.1; done
+  DISPLAY=:$(<"$scratch/display")
+  export DISPLAY
+  mkdir "$scratch/temporary"
+  SIGHTLINE_FAKE_DELAY=500 TMPDIR=$scratch/temporary run "$fake" "${small[@]}" --out a.png --preview --quiet
+  expect_exit 0
+  expect_quiet
+  expect_file a.png
+  check 'no preview left' test -z "$(ls -A "$scratch/temporary")"
+  (sleep 3; rm "$work/a.png") &
+  run_again timeout 60 "$programs/sightline-view" picture a.png --follow
+  expect_exit 0 # once the file was gone
+  expect_quiet
+  unset DISPLAY
+  kill "$server"
+fi
 
 # ---- What fails on the way
 

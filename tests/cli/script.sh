@@ -8,7 +8,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
 run "$root/sightline" help
 expect_exit 0
 expect_quiet
-for name in tour test bench view probe noise scenes doctor help; do expect_prints "  $name "; done
+for name in tour test bench view probe noise scenes render plan doctor help; do expect_prints "  $name "; done
 run "$root/sightline" --help
 expect_exit 0
 run "$root/sightline"
@@ -19,6 +19,12 @@ refuses 2 'unknown command' "$root/sightline" ''
 refuses 2 'unknown command' "$root/sightline" 'b*'
 refuses 2 'unknown command' "$root/sightline" help nothing
 refuses 2 "unexpected 'x'" "$root/sightline" doctor x
+refuses 2 'expected a scene' "$root/sightline" plan
+for ranks in '' 0 x -1 1.5; do
+  refuses 2 '--mpi: expected a number of processes' "$root/sightline" render teapot --mpi "$ranks"
+  refuses 2 '--mpi: expected a number of processes' "$root/sightline" render "--mpi=$ranks" teapot
+done
+refuses 2 '--mpi: expected a number of processes' "$root/sightline" render teapot --mpi
 refuses 2 "unexpected 'view'" "$root/sightline" help bench view
 refuses 2 "unexpected 'x'" "$root/sightline" --help bench x
 refuses 2 "unexpected 'x'" "$root/sightline" --version x

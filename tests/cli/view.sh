@@ -121,6 +121,8 @@ refuses 2 'not in range' "$view" normals --divisions 1 --out a.png
 refuses 2 '0 to 0.5' "$view" normals --amplitude nan --out a.png
 refuses 2 '0.01 to 1000' "${noise[@]}" --extent nan
 refuses 1 /dev/null "$view" normals --out /dev/null/a.png
+refuses 2 'file is required' "$view" picture
+refuses 1 'no display' "$view" picture none.png
 
 csg=("$view" csg --solid lens)
 refuses 2 six "${csg[@]}" --ray 1,2,3 --out a.json

@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <thread>
 #include <vector>
 
 #include "sightline/render/exposure.h"
@@ -217,6 +218,38 @@ TEST(Film, KeepsWhatIsDoneWhereTheSourceFails) {
   const FakeSource sound(64, 64, 4);
   EXPECT_TRUE(expose(film, sound, {}, never));
   EXPECT_EQ(film.copy(), exposed(sound, 0));
+}
+
+/// Threads of the test's own, which the thread sanitizer watches; TBB's it does not.
+TEST(Film, CanBeCopiedAndGoneOnWithWhileItIsExposed) {
+  const FakeSource source(48, 40, 24);
+  const FilmState whole = exposed(source, 0.02);
+  Film film(blank_film(48, 40, 24, 0.02));
+  std::vector<FilmState> copies;
+  while (film.begin_pass()) {
+    const std::vector<TileRect> tiles = film.open_tiles(8);
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+      for (std::size_t i = next++; i < tiles.size(); i = next++) {
+        TileTask task = film.task(tiles[i]);
+        RenderCounters counters;
+        expose_tile(task, source, counters);
+        film.put(task, counters);
+      }
+    };
+    const std::jthread first(work), second(work);
+    copies.push_back(film.copy());
+    EXPECT_LE(film.progress().done, film.progress().expected);
+  }
+  EXPECT_EQ(film.state(), whole);
+  for (const FilmState& copy : copies) {
+    std::uint64_t samples = 0;
+    for (const PixelSum& sum : copy.sums) samples += sum.samples;
+    EXPECT_EQ(copy.counters.camera_rays, samples);
+    Film gone_on(copy);
+    EXPECT_TRUE(expose(gone_on, source, {}, never));
+    EXPECT_EQ(gone_on.state(), whole);
+  }
 }
 
 TEST(Film, RefusesWhatIsNoFilm) {

@@ -38,7 +38,7 @@ class Job {
         first_rays_(rays_of(film_.progress().counters)) {}
 
   /// The exit status.
-  int run(Progress* progress) {
+  int run(const Exposer& exposer, Progress* progress) {
     bool is_done = false;
     {
       const Interruption interruption;
@@ -48,7 +48,7 @@ class Job {
         const Monitor monitor(film_,
                               {progress, preview ? &*preview : nullptr, checkpoint_,
                                std::chrono::duration<double>(request_.checkpoint_interval), source_.fingerprint()});
-        is_done = expose(film_, source_, {.threads = request_.settings.threads}, Interruption::is_wished());
+        is_done = exposer(film_, source_, {.threads = request_.settings.threads}, Interruption::is_wished());
       } catch (...) {
         keep();
         throw;
@@ -127,7 +127,7 @@ void check_files(const Request& request) {
 
 }  // namespace
 
-int run(int argc, const char* const* argv, const std::filesystem::path& data_dir) {
+int run(int argc, const char* const* argv, const std::filesystem::path& data_dir, const Exposer& exposer) {
   Request request;
   if (const std::optional<int> status = parse_request(argc, argv, request)) return *status;
   if (!request.is_plan) check_files(request);
@@ -146,7 +146,14 @@ int run(int argc, const char* const* argv, const std::filesystem::path& data_dir
     print_plan(*source, std::cout);
     return success;
   }
-  return Job(request, *source).run(progress);
+  return Job(request, *source).run(exposer, progress);
+}
+
+std::unique_ptr<PictureSource> source_of_command(int argc, const char* const* argv,
+                                                 const std::filesystem::path& data_dir) {
+  Request request;
+  if (parse_request(argc, argv, request)) throw std::invalid_argument("expected a scene, found a call for help");
+  return source_of(std::make_shared<const Scene>(make_scene(request.scene, data_dir)), request.settings);
 }
 
 }  // namespace sightline::render_tool

@@ -1,4 +1,4 @@
-/// sightline-render over a source that needs no renderer: noise, as slow as SIGHTLINE_FAKE_DELAY says, in microseconds
+/// What sightline-render is linked with to render noise instead, as slow as SIGHTLINE_FAKE_DELAY says, in microseconds
 /// a sample. The scene is read, and then not looked at.
 
 #include <cstdlib>
@@ -6,9 +6,7 @@
 #include <thread>
 
 #include "tests/render/fake_source.h"
-#include "viz/render_tool/render_command.h"
 #include "viz/render_tool/source.h"
-#include "viz/run_tool.h"
 
 namespace sightline::render_tool {
 namespace {
@@ -45,8 +43,3 @@ std::string bill_of(const PictureSource&, const RenderCounters& counters, double
 }
 
 }  // namespace sightline::render_tool
-
-int main(int argc, char** argv) {
-  return sightline::run_tool("sightline-render",
-                             [&] { return sightline::render_tool::run(argc, argv, SIGHTLINE_DATA_DIR); });
-}
