@@ -47,6 +47,7 @@ Examples:
   sightline-bench solids --help                solids beside POV-Ray
   sightline-bench instances --help             two levels beside Embree's instances
   sightline-bench moving --help                refitting beside building anew
+  sightline-bench render --help                pictures, beside a renderer stripped by hand
   sightline-bench torus --help                 roots of tori beside Ferrari's closed form
   sightline-bench graph --help                 scene graphs: places, bounds, updates
   sightline-bench -- --benchmark_filter=bih    flags of Google Benchmark

@@ -292,4 +292,35 @@ expect_exit 1
 expect_one_line
 expect_says 'bih is wrong'
 expect_no_file
+
+render=(render --quick --rounds 2)
+run "$bench" render --help
+expect_exit 0
+expect_quiet
+for word in --scene --textures --only --precision --json stripped; do expect_prints "$word"; done
+refuses 2 'unknown scene' "$bench" render --scene no-such-scene
+refuses 2 'unknown level' "$bench" render --precision no-such-level
+refuses 2 'unknown way' "$bench" render --textures blurred
+refuses 2 'unknown line' "$bench" render --only nobody
+refuses 2 'unknown peer' "$bench" render --peer nobody
+refuses 2 rounds "$bench" render --rounds 0
+refuses 2 stray "$bench" render stray
+refuses 1 /dev/null "$bench" render --json /dev/null/out.json
+run "$bench" "${render[@]}" --scene widget --json out.json
+expect_exit 0
+for word in 'plan ' 'plan again' 'stripped ' 'all effects' '"plain"'; do expect_prints "$word"; done
+check 'ratios in the JSON file' grep -q '"time_over_plan"' "$work/out.json"
+rm -f "$work/out.json"
+run "$bench" "${render[@]}" --scene wood --peer none --textures point
+expect_exit 0
+expect_prints patterned
+run "$bench" render --quick --scene wood --only stripped
+expect_exit 0
+for line in stripped 'all effects'; do
+  run "$bench" "${render[@]}" --scene widget --peer none --self-check "$line" --json out.json
+  expect_exit 1
+  expect_one_line
+  expect_says "$line is wrong"
+  expect_no_file
+done
 finish
