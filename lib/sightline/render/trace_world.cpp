@@ -64,36 +64,48 @@ WorldHit TraceWorld::solid_hit(const Hit<double>& hit) const {
   return {hit.t, instances_->size() + hit.prim_id, static_cast<std::uint32_t>(hit.u), 0, hit.v};
 }
 
-void TraceWorld::closest_hits(std::span<const Ray<double>> rays, std::span<WorldHit> hits) const {
-  std::array<Hit<double>, batch> found;
-  std::array<InstanceHit<double>, batch> placed;
+void TraceWorld::find_meshes(std::span<const Ray<double>> rays, std::span<WorldHit> hits) const {
+  if (flat_) {
+    std::array<Hit<double>, batch> found;
+    std::as_const(*flat_).closest_hits(rays, std::span(found).first(rays.size()));
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = world_hit(found[i]);
+    return;
+  }
+  std::array<InstanceHit<double>, batch> found;
+  std::as_const(*placed_).closest_hits(rays, std::span(found).first(rays.size()));
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    hits[i] = {found[i].t, found[i].instance, found[i].prim_id, found[i].u, found[i].v};
+  }
+}
+
+/// `hits` are those of meshes: what solids have nearer takes their place.
+void TraceWorld::find_nearer_solids(std::span<const Ray<double>> rays, std::span<WorldHit> hits) const {
   std::array<Ray<double>, batch> shortened;
+  std::array<Hit<double>, batch> found;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    shortened[i] = rays[i];
+    shortened[i].t_max = std::min(rays[i].t_max, hits[i].t);
+  }
+  solids_->closest_hits(std::span<const Ray<double>>(shortened).first(rays.size()),
+                        std::span(found).first(rays.size()));
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (found[i].t < hits[i].t) hits[i] = solid_hit(found[i]);  // W2
+  }
+}
+
+void TraceWorld::closest_hits(std::span<const Ray<double>> rays, std::span<WorldHit> hits) const {
   for (std::size_t first = 0; first < rays.size(); first += batch) {
-    std::span<const Ray<double>> part = rays.subspan(first, std::min(batch, rays.size() - first));
+    const std::span<const Ray<double>> part = rays.subspan(first, std::min(batch, rays.size() - first));
     const std::span<WorldHit> into = hits.subspan(first, part.size());
-    if (flat_) {
-      std::as_const(*flat_).closest_hits(part, std::span(found).first(part.size()));
-      for (std::size_t i = 0; i < part.size(); ++i) into[i] = world_hit(found[i]);
-    } else if (placed_) {
-      std::as_const(*placed_).closest_hits(part, std::span(placed).first(part.size()));
-      for (std::size_t i = 0; i < part.size(); ++i) {
-        into[i] = {placed[i].t, placed[i].instance, placed[i].prim_id, placed[i].u, placed[i].v};
-      }
-    }
-    if (!solids_) {
-      if (!has_meshes()) std::fill(into.begin(), into.end(), WorldHit{});
-      continue;
-    }
     if (has_meshes()) {
-      for (std::size_t i = 0; i < part.size(); ++i) {
-        shortened[i] = part[i];
-        shortened[i].t_max = std::min(part[i].t_max, into[i].t);
-      }
-      part = std::span(shortened).first(part.size());
-    }
-    solids_->closest_hits(part, std::span(found).first(part.size()));
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      if (!has_meshes() || found[i].t < into[i].t) into[i] = solid_hit(found[i]);  // W2
+      find_meshes(part, into);
+      if (solids_) find_nearer_solids(part, into);
+    } else if (solids_) {
+      std::array<Hit<double>, batch> found;
+      solids_->closest_hits(part, std::span(found).first(part.size()));
+      for (std::size_t i = 0; i < part.size(); ++i) into[i] = solid_hit(found[i]);
+    } else {
+      std::fill(into.begin(), into.end(), WorldHit{});
     }
   }
 }

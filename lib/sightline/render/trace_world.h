@@ -66,6 +66,8 @@ class TraceWorld {
   void any_hits(std::span<const Ray<double>> rays, std::span<std::uint8_t> is_hit) const;
 
  private:
+  void find_meshes(std::span<const Ray<double>> rays, std::span<WorldHit> hits) const;
+  void find_nearer_solids(std::span<const Ray<double>> rays, std::span<WorldHit> hits) const;
   WorldHit world_hit(const Hit<double>& hit) const;
   WorldHit solid_hit(const Hit<double>& hit) const;
 
