@@ -29,7 +29,8 @@ class Stripped {
         camera_(moment_.lens.camera),
         lamp_(moment_.lamps[0]),
         column_(camera_.right / double(camera_.width)),
-        row_(camera_.up / double(camera_.height)) {}
+        row_(camera_.up / double(camera_.height)),
+        pixel_width_(static_cast<float>(2 * glm::length(row_))) {}
 
   void add_samples(TileBuffer& tile) {
     for (int y = 0; y < tile.rect.height; y += side) {
@@ -82,8 +83,7 @@ class Stripped {
       const double speed = std::sqrt(glm::dot(ray.direction, ray.direction));
       const Vec3d to_viewer = -ray.direction / speed;
       face = glm::dot(at.outside, to_viewer) < 0 ? -at.outside : at.outside;
-      const float spread = static_cast<float>(2 * glm::length(row_) / glm::length(ray.direction));
-      const float width = spread * static_cast<float>(hit.t * speed);
+      const float width = pixel_width_ * static_cast<float>(hit.t);
       const double slant = std::fabs(glm::dot(face, to_viewer));
       const double footprint = scene_.has_footprints ? width / std::sqrt(std::max(slant, 0x1p-4)) : 0.0;
       color *= (*material.color_function)(surfaces.local(hit, at), surfaces.local_footprint(hit, at, footprint));
@@ -104,6 +104,7 @@ class Stripped {
   const Camera& camera_;
   const Lamp& lamp_;
   Vec3d column_, row_;
+  float pixel_width_;
   Square square_;
 };
 

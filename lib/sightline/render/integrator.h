@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -39,7 +40,16 @@ struct Path {
   std::uint32_t medium = no_item;  ///< Material of what it is in.
   std::uint16_t depth = 0;         ///< Surfaces before.
   bool is_scattered = false;       ///< By a diffuse surface, last.
-  float width = 0, spread = 0;     ///< Of what it stands for: at its origin, and for each unit of length.
+  float width = 0, spread = 0;     ///< Of what it stands for: at its origin, and for each unit of t.
+};
+
+/// The same of a ray from the camera where none goes on from it: then most is known beforehand.
+struct FirstPath {
+  static constexpr Color weight{1};
+  static constexpr std::uint16_t depth = 0;
+  static constexpr bool is_scattered = false;
+  std::uint32_t slot = 0;
+  float width = 0, spread = 0;
 };
 
 struct RayWave {
@@ -98,11 +108,15 @@ class Integrator {
   static constexpr bool reflects = has.has(Effect::mirror) || has.has(Effect::glossy);
   static constexpr bool is_specular = reflects || has.has(Effect::refraction);
 
+  static constexpr bool has_more_rays = is_specular || has.has(Effect::interreflection);
   static constexpr bool has_footprints =
       has.has(Effect::procedural_texture) || has.has(Effect::image_texture) || has.has(Effect::normal_map);
   /// Whether anything asks for lengths along rays, and for directions of unit length.
   static constexpr bool has_lengths =
       is_specular || has_footprints || has.has(Effect::absorption) || has.has(Effect::fog);
+
+  static constexpr bool is_slim = !has_more_rays && !has.has(Effect::fog);
+  using AnyPath = std::conditional_t<is_slim, FirstPath, Path>;
 
   /// A hit while it is shaded.
   struct Shade {
@@ -132,15 +146,15 @@ class Integrator {
   }
 
   // integrator_shading.h
-  void shade_miss(const Ray<double>& ray, Path& path);
-  void shade(const Ray<double>& ray, Path& path, const WorldHit& hit);
+  void shade_miss(const Ray<double>& ray, AnyPath& path);
+  void shade(const Ray<double>& ray, AnyPath& path, const WorldHit& hit);
   void in_fog(double length, Path& path, Color& light) const;
-  Color color_at(const Shade& shade, const Path& path);
-  Vec3d normal_at(const Shade& shade, const Path& path);
+  Color color_at(const Shade& shade, const AnyPath& path);
+  Vec3d normal_at(const Shade& shade, const AnyPath& path);
   Color share_out(Shade& shade, const Path& path);
-  void shine(const Shade& shade, const Path& path, const Color& diffuse);
+  void shine(const Shade& shade, const AnyPath& path, const Color& diffuse);
   Color highlight(const Shade& shade, const Vec3d& to_lamp, double cosine) const;
-  void look_around(const Shade& shade, const Path& path, const Color& diffuse);
+  void look_around(const Shade& shade, const AnyPath& path, const Color& diffuse);
   void add_sight(Sight sight, const Shade& shade, const Vec3d& direction, double length, const Color& light,
                  std::uint32_t slot);
   void go_on(Kind kind, const Shade& shade, const Path& path, const Vec3d& direction, const Color& weight);
@@ -150,6 +164,7 @@ class Integrator {
   StageTimes* times_;
 
   const Moment* moment_ = nullptr;
+  float pixel_width_ = 0;  ///< Of the camera, at t = 1.
   std::uint32_t sample_ = 0;
   std::span<const PixelPlace> places_;  ///< Of the wave of the camera.
   std::array<Vec3d, wave_size> radiance_{};

@@ -59,10 +59,11 @@ void Integrator<has>::look(std::span<const PixelPlace> places) {
   const Lens& lens = moment_->lens;
   const Camera& camera = lens.camera;
   const Vec3d column = camera.right / double(camera.width), row = camera.up / double(camera.height);
+  pixel_width_ = static_cast<float>(2 * glm::length(row));
   const bool is_spread = scene_.effects.has(Effect::antialiasing);
   places_ = places;
   current_.rays.resize(places.size());
-  current_.paths.resize(places.size());
+  if constexpr (!is_slim) current_.paths.resize(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto slot = static_cast<std::uint32_t>(i);
     const int x = places[i].x, y = places[i].y;
@@ -83,10 +84,12 @@ void Integrator<has>::look(std::span<const PixelPlace> places) {
         ++counters_[Effect::depth_of_field];
       }
     }
-    Path& path = current_.paths[i];
-    path = {};
-    path.slot = slot;
-    if constexpr (has_footprints) path.spread = static_cast<float>(2 * glm::length(row) / glm::length(ray.direction));
+    if constexpr (!is_slim) {
+      Path& path = current_.paths[i];
+      path = {};
+      path.slot = slot;
+      path.spread = pixel_width_;
+    }
   }
   counters_.camera_rays += places.size();
   if (is_spread) counters_[Effect::antialiasing] += places.size();
@@ -146,11 +149,19 @@ void Integrator<has>::trace(RayWave& wave, StageTimes::Clock::duration* time) {
     moment_->world->closest_hits(wave.rays, hits_);
   }
   const StageClock clock(StageClock::shading(times_));
-  for (std::size_t i = 0; i < wave.rays.size(); ++i) {
+  const auto follow_up = [&](std::size_t i, AnyPath& path) {
     if (hits_[i].is_hit()) {
-      shade(wave.rays[i], wave.paths[i], hits_[i]);
+      shade(wave.rays[i], path, hits_[i]);
+    } else if (scene_.has_sky || has.has(Effect::fog)) {
+      shade_miss(wave.rays[i], path);
+    }
+  };
+  for (std::size_t i = 0; i < wave.rays.size(); ++i) {
+    if constexpr (is_slim) {
+      FirstPath path{static_cast<std::uint32_t>(i), 0, pixel_width_};
+      follow_up(i, path);
     } else {
-      shade_miss(wave.rays[i], wave.paths[i]);
+      follow_up(i, wave.paths[i]);
     }
   }
 }

@@ -10,7 +10,7 @@
 namespace sightline {
 
 template <Effects has>
-void Integrator<has>::shade_miss(const Ray<double>& ray, Path& path) {
+void Integrator<has>::shade_miss(const Ray<double>& ray, AnyPath& path) {
   Color light(0);
   if constexpr (has.has(Effect::fog)) in_fog(std::numeric_limits<double>::infinity(), path, light);
   const bool is_lit = !path.is_scattered || scene_.sky_lights;
@@ -31,18 +31,20 @@ void Integrator<has>::in_fog(double length, Path& path, Color& light) const {
 }
 
 template <Effects has>
-void Integrator<has>::shade(const Ray<double>& ray, Path& path, const WorldHit& hit) {
+void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, const WorldHit& hit) {
   const Surfaces& surfaces = *moment_->surfaces;
   const std::uint32_t number = surfaces.material(hit);
   const SurfaceMaterial& material = (*scene_.materials)[number];
   Shade shade{material, number, hit, surfaces.locate(ray, hit)};
   shade.to_viewer = -ray.direction;
+  if constexpr (has_footprints) path.width += path.spread * static_cast<float>(hit.t);
   [[maybe_unused]] double length = 0;
   if constexpr (has_lengths) {
     const double speed = std::sqrt(glm::dot(ray.direction, ray.direction));
     length = hit.t * speed;
     shade.to_viewer /= speed;
-    path.width += path.spread * static_cast<float>(length);
+    if constexpr (has_more_rays)
+      path.spread /= static_cast<float>(speed);  // from here on directions are of unit length
   }
   shade.is_inside = glm::dot(shade.at.outside, shade.to_viewer) < 0;
   shade.side = shade.is_inside ? -shade.at.outside : shade.at.outside;
@@ -77,7 +79,7 @@ void Integrator<has>::shade(const Ray<double>& ray, Path& path, const WorldHit& 
 }
 
 template <Effects has>
-Color Integrator<has>::color_at(const Shade& shade, const Path& path) {
+Color Integrator<has>::color_at(const Shade& shade, const AnyPath& path) {
   const SurfaceMaterial& material = shade.material;
   Color color = material.values.color;
   // What a slanted surface shows of a cone is longer than wide: the mean of both.
@@ -107,7 +109,7 @@ Color Integrator<has>::color_at(const Shade& shade, const Path& path) {
 }
 
 template <Effects has>
-Vec3d Integrator<has>::normal_at(const Shade& shade, const Path& path) {
+Vec3d Integrator<has>::normal_at(const Shade& shade, const AnyPath& path) {
   const Surfaces& surfaces = *moment_->surfaces;
   Vec3d normal = surfaces.normal(shade.hit, shade.at);
   if constexpr (has.has(Effect::normal_map)) {
@@ -199,7 +201,7 @@ Color Integrator<has>::share_out(Shade& shade, const Path& path) {
 
 /// Asks the lamps.
 template <Effects has>
-void Integrator<has>::shine(const Shade& shade, const Path& path, const Color& diffuse) {
+void Integrator<has>::shine(const Shade& shade, const AnyPath& path, const Color& diffuse) {
   const SurfaceMaterial& material = shade.material;
   const bool is_glossy = has.has(Effect::glossy) && material.is_glossy;
   if (diffuse == Color(0) && !is_glossy) return;
@@ -242,7 +244,7 @@ Color Integrator<has>::highlight(const Shade& shade, const Vec3d& to_lamp, doubl
 
 /// Asks what is all around: nothing but what shuts it out, the sky, or surfaces that light this one.
 template <Effects has>
-void Integrator<has>::look_around(const Shade& shade, const Path& path, const Color& diffuse) {
+void Integrator<has>::look_around(const Shade& shade, const AnyPath& path, const Color& diffuse) {
   const auto direction = [&](Draw purpose) {
     const Vec3d up = cosine_direction(sampler(path.slot).square(purpose, path.depth));
     return frame_around(shade.normal).to_world(up);
