@@ -240,5 +240,25 @@ RC_GTEST_PROP(SolidEvaluator, AnswersAlikeInAnyFrame, ()) {
   }
 }
 
+/// Where all that is asked for is one point of the ray, structures find the operands that are there: here the boxes
+/// touch at the ray's origin, and nothing farther is asked for.
+TEST(SolidOptions, OperandsAreFoundAtAPoint) {
+  const auto cylinder = [](const Vec3d& base, const Vec3d& top) { return SolidTree(solid::Cylinder{base, top, 1}); };
+  const SolidTree tree =
+      SolidTree(Operation::unite, {cylinder(Vec3d(-2), Vec3d(-4)), solid::Box{Vec3d(-2), Vec3d(-1, -1, 0)}}) &
+      SolidTree(Operation::unite,
+                {solid::Box{Vec3d(-1, -2, -2), Vec3d(0, -1, 0)}, cylinder(Vec3d(-1), Vec3d(-3, -3, -1))});
+  const Ray<double> ray{Vec3d(-1), Vec3d(-1)};
+  SolidOptions indexed, plain;
+  indexed.index_from = 2;
+  plain.index_operands = false;
+  const auto expected = first_of(Solid(tree, plain), ray, -2, 0, Level::fast);
+  ASSERT_TRUE(expected);
+  for (const std::string_view name : accelerator_names()) {
+    const auto found = first_of(Solid(tree, indexed, name), ray, -2, 0, Level::fast);
+    EXPECT_TRUE(found && are_same(*found, *expected)) << name;
+  }
+}
+
 }  // namespace
 }  // namespace sightline

@@ -6,6 +6,7 @@
 
 #include "sightline/accel/box_primitives.h"
 #include "sightline/accel/registry.h"
+#include "sightline/math/rounding.h"
 
 namespace sightline {
 namespace {
@@ -18,8 +19,11 @@ class IndexOf final : public OperandIndex {
 
   void find(const Ray<double>& ray, OperandList& found) const override {
     NoProbe probe;
+    // Structures look for hits behind t_min; here the range is closed, and may be a point.
+    Ray<double> closed = ray;
+    closed.t_min = next_down(ray.t_min);
     structure_.traverse(
-        ray,
+        closed,
         [&](LeafRange leaf) {
           for (const std::uint32_t id : structure_.leaf_order().subspan(leaf.first, leaf.count)) found.push(id);
           return ray.t_max;
