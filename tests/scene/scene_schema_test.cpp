@@ -89,7 +89,9 @@ TEST(SceneSchema, HasTheMembersThatTheReaderKnows) {
   }
   // And the other way round: all that the schema closes is a kind of the reader's.
   for (const auto& [name, definition] : schema()["$defs"].items()) {
-    if (definition.value("additionalProperties", true) == false) EXPECT_TRUE(kinds.contains(name)) << name;
+    if (definition.value("additionalProperties", true) == false) {
+      EXPECT_TRUE(kinds.contains(name)) << name;
+    }
   }
 }
 
