@@ -22,7 +22,7 @@ struct SolidPlan {
   SolidOptions options;
   bool has_single = false;   ///< Beside each level also rays one by one.
   bool is_ablation = false;  ///< Beside each level also every switch off, and all, at the first level.
-  std::string accelerator;   ///< Empty for none around a single solid, and box-tree elsewhere.
+  std::string accelerator;   ///< Empty for bih over solids, and box-tree over operands.
   bool has_povray = true;    ///< Where it is installed.
   int width = 800, height = 600;
   int rounds = 9;

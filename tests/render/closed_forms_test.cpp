@@ -71,8 +71,8 @@ TEST(ClosedForms, FurnaceShowsTheAlbedo) {
   }
 }
 
-/// Within a closed surface that shines by e and reflects r of what it takes in: after n bounces e (1 + r + ... + r^n).
-TEST(ClosedForms, ClosedFurnaceIsAGeometricSeries) {
+/// Seen from within: a surface that shines by 1/4, and reflects half of what it takes in.
+Scene closed_furnace() {
   Scene scene;
   Material material = lambert(0.5);
   material.emission = Color(0.25);
@@ -80,6 +80,12 @@ TEST(ClosedForms, ClosedFurnaceIsAGeometricSeries) {
             add_material(scene, material));
   scene.render.interreflection = true;
   add_camera(scene, 1, 90);
+  return scene;
+}
+
+/// Within a closed surface that shines by e and reflects r of what it takes in: after n bounces e (1 + r + ... + r^n).
+TEST(ClosedForms, ClosedFurnaceIsAGeometricSeries) {
+  const Scene scene = closed_furnace();
   for (const int depth : {0, 1, 3}) {
     RenderSettings settings = small(6, 6, 2);
     settings.depth = depth;
@@ -91,13 +97,7 @@ TEST(ClosedForms, ClosedFurnaceIsAGeometricSeries) {
 
 /// Chance that ends paths early takes nothing from the mean: e / (1 - r) after any number of bounces.
 TEST(ClosedForms, RouletteIsUnbiased) {
-  Scene scene;
-  Material material = lambert(0.5);
-  material.emission = Color(0.25);
-  add_shape(scene, "hollow", SolidTree(solid::Sphere{Vec3d(0), 4}) - SolidTree(solid::Sphere{Vec3d(0), 3}),
-            add_material(scene, material));
-  scene.render.interreflection = true;
-  add_camera(scene, 1, 90);
+  const Scene scene = closed_furnace();
   RenderSettings settings = small(8, 8, 256);
   settings.depth = 60;
   const Rendered picture = render(scene, settings);

@@ -1,7 +1,7 @@
 #pragma once
 /// From rays to light: one integrator, of which only those parts are compiled that a set of effects needs.
 ///
-/// Rays of a tile travel in waves: all camera rays of up to 64 pixels at once, then all that these ask for, one wave a
+/// Rays of a tile travel in waves: all camera rays of up to 128 pixels at once, then all that these ask for, one wave a
 /// kind of ray, until none is left. So structures get neighbouring rays together, each wave's time and number belong to
 /// one effect, and what no effect asks for is no instruction.
 ///   I1  What a sample adds to its pixel depends on its pixel, its number and the scene: not on the tile, nor on which
@@ -107,7 +107,7 @@ class Integrator {
 
   static constexpr bool reflects = has.has(Effect::mirror) || has.has(Effect::glossy);
   static constexpr bool is_specular = reflects || has.has(Effect::refraction);
-
+  /// Whether rays go on from surfaces.
   static constexpr bool has_more_rays = is_specular || has.has(Effect::interreflection);
   static constexpr bool has_footprints =
       has.has(Effect::procedural_texture) || has.has(Effect::image_texture) || has.has(Effect::normal_map);
@@ -115,6 +115,7 @@ class Integrator {
   static constexpr bool has_lengths =
       is_specular || has_footprints || has.has(Effect::absorption) || has.has(Effect::fog);
 
+  /// Whether all that a path says is known from where it is seen.
   static constexpr bool is_slim = !has_more_rays && !has.has(Effect::fog);
   using AnyPath = std::conditional_t<is_slim, FirstPath, Path>;
 

@@ -1,7 +1,6 @@
 #pragma once
 /// How an Integrator's waves go. How a surface takes light is in integrator_shading.h.
 
-#include <cassert>
 #include <limits>
 
 #include "sightline/render/integrator.h"

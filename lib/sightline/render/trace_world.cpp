@@ -44,14 +44,6 @@ TraceWorld::TraceWorld(const Scene& scene, const WorldSettings& settings, const 
   }
 }
 
-std::size_t TraceWorld::memory_bytes() const {
-  std::size_t bytes = instances_->placements().size_bytes();
-  if (flat_) bytes += flat_->structure_bytes() + flat_->leaf_bytes();
-  if (placed_) bytes += placed_->structure_bytes();
-  if (solids_) bytes += solids_->structure_bytes();
-  return bytes;
-}
-
 WorldHit TraceWorld::world_hit(const Hit<double>& hit) const {
   if (!hit.is_hit()) return {};
   const auto after = std::upper_bound(firsts_.begin(), firsts_.end(), hit.prim_id);

@@ -42,7 +42,6 @@ class TraceWorld {
   /// \throws std::invalid_argument as instances_of(), solids_of() and the tracers do.
   TraceWorld(const Scene& scene, const WorldSettings& settings, const SceneFilter& takes = {});
 
-  bool is_empty() const { return !has_meshes() && !solids_; }
   bool has_meshes() const { return flat_ || placed_; }
   bool has_solids() const { return solids_ != nullptr; }
   /// Whether meshes are traced by two levels of structures.
@@ -57,8 +56,6 @@ class TraceWorld {
 
   Level level() const { return level_; }
   const Aabb& bounds() const { return bounds_; }
-  /// Of the structures, leaves and placements.
-  std::size_t memory_bytes() const;
 
   void closest_hits(std::span<const Ray<double>> rays, std::span<WorldHit> hits) const;
   /// The same of one ray, with the nodes, leaves and candidates that were examined.
