@@ -63,7 +63,7 @@ std::string parse(int argc, const char* const* argv, RenderPlanOfBench& plan) {
   if (!peer.empty()) require_known("peer", peer, {"povray", "none"});
   plan.has_povray = peer != "none";
   const std::vector<std::string> lines{std::string(plan_line), std::string(again_line), std::string(stripped_line),
-                                       std::string(all_line)};
+                                       std::string(anew_line), std::string(all_line)};
   if (!plan.only.empty()) require_known("line", plan.only, lines);
   if (!plan.spoiled.empty()) require_known("line", plan.spoiled, lines);
   return {};

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "bench/processor_time.h"
+#include "bench/render/anew.h"
 #include "bench/render/pictures.h"
 #include "bench/render/stripped.h"
 #include "bench/solids/povray.h"
@@ -90,7 +91,8 @@ class Stage {
     report_.pixels = static_cast<std::size_t>(plan.width) * static_cast<std::size_t>(plan.height);
     add(plan_line, "what the scene calls for");
     add(again_line, "the same, to see what is noise");
-    add(stripped_line, "written by hand for this scene");
+    add(stripped_line, "all else deleted from it by hand");
+    add(anew_line, "by hand for this scene alone");
     add(all_line, "the integrator that knows every effect");
     if (povray) add(povray_line, "");
   }
@@ -101,6 +103,8 @@ class Stage {
     RenderCounters counters;
     if (line == stripped_line) {
       canvas.paint([&](TileBuffer& tile, auto) { add_stripped_samples(special_.scene(), tile); });
+    } else if (line == anew_line) {
+      canvas.paint([&](TileBuffer& tile, auto) { add_anew_samples(special_.scene(), tile); });
     } else {
       const Renderer& renderer = line == all_line ? superset_ : special_;
       canvas.paint([&](TileBuffer& tile, std::span<const std::uint32_t> pixels) {

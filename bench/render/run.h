@@ -49,10 +49,11 @@ struct RenderBenchReport {
   std::vector<RenderPictureReport> pictures;
 };
 
-/// Lines: the plan, the plan once more (what differs there is noise), a renderer stripped by hand, the integrator that
+/// Lines: the plan, the plan once more (what differs there is noise), the renderer stripped by hand,
+/// one written anew, the integrator that
 /// knows all effects, POV-Ray.
 inline constexpr std::string_view plan_line = "plan", again_line = "plan again", stripped_line = "stripped",
-                                  all_line = "all effects", povray_line = "POV-Ray";
+                                  anew_line = "written anew", all_line = "all effects", povray_line = "POV-Ray";
 
 /// Verifies, then measures, on one thread. Calls see(report, picture) when one is complete.
 /// \throws WrongHits where a line's picture is not that of the plan, bit for bit, or POV-Ray sees something else.
