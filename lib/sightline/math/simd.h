@@ -61,6 +61,12 @@ inline void prefetch(const void* begin, std::size_t bytes) {
   hwy::Prefetch(at + bytes - 1);
 }
 
+/// The mask of no lane.
+template <class D>
+hn::Mask<D> no_lanes(D d) {
+  return hn::Ne(hn::Zero(d), hn::Zero(d));
+}
+
 /// One bit a lane, of at most sixteen lanes.
 template <class D, class M>
 std::uint32_t bits_of(D d, M mask) {

@@ -2,9 +2,10 @@
 /// Coherent rays, sixteen at a time: what they have in common is done once for all of them.
 ///
 /// Neighbours meet the same nodes. A structure is asked once for the leaves that any ray of a packet meets
-/// (ray_packet.h); each ray is then tested with those that it meets itself. The hits are those of single rays, bit for
-/// bit: what a ray is tested with besides it does not meet, or is beyond its hit. That takes intersectors that keep M1
-/// (padded_ray.h) for the precision of the rays; solids of level fast keep it for rays of float.
+/// (ray_packet.h); each ray is then tested with those that it meets itself, or all that meet a leaf together where the
+/// leaves can do that. The hits are those of single rays, bit for bit: what a ray is tested with besides it does not
+/// meet, or is beyond its hit. That takes intersectors that keep M1 (padded_ray.h) for the precision of the rays;
+/// solids of level fast keep it for rays of float.
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "sightline/accel/ray_packet.h"
@@ -30,6 +32,12 @@ concept PacketAccelerator = Accelerator<A> && requires(const A& a, const RayPack
 template <class L>
 concept BoundedLeaves = requires(const L& leaves, LeafRange leaf) {
   { leaves.bounds(leaf) } -> std::same_as<Aabb>;
+};
+
+/// Leaves that test the rays of a packet together.
+template <class L, class T>
+concept PacketLeaves = requires(const L& leaves, const RayPacket<T>& packet, std::span<const Ray<T>> rays) {
+  leaves.prepare(packet, rays);
 };
 
 namespace detail {
@@ -53,7 +61,7 @@ class PacketQuery {
     return RayPacket<T>::greatest(limits_);
   }
 
-  const Query& operator[](std::size_t ray) const { return queries_[ray]; }
+  typename Query::Result result(std::size_t ray) const { return queries_[ray].result(); }
 
  private:
   /// Places beyond the last ray are never open.
@@ -82,7 +90,66 @@ class PacketQuery {
   std::array<Query, RayPacket<T>::size> queries_;
 };
 
-/// Calls finish(index of the ray, its query) for every ray, in order.
+/// The same where leaves take all rays at once.
+template <class Query, class T, class Leaves>
+class TogetherQuery {
+ public:
+  static constexpr bool takes_any_order = Query::takes_any_order;
+
+  TogetherQuery(const Leaves& leaves, const RayPacket<T>& packet, std::span<const Ray<T>> rays)
+      : leaves_(leaves),
+        packet_(packet),
+        rays_(rays),
+        open_((1u << rays.size()) - 1),
+        prepared_(leaves.prepare(packet, rays)),
+        limits_(packet.farthest()) {
+    for (std::size_t i = rays.size(); i < RayPacket<T>::size; ++i) limits_[i] = -std::numeric_limits<T>::infinity();
+  }
+
+  /// Returns the far limit: the last one of all rays.
+  T operator()(LeafRange leaf) {
+    const std::uint32_t met = open_ & packet_.meeting(leaves_.bounds(leaf), limits_);
+    if (met != 0) test(leaf, met);
+    return RayPacket<T>::greatest(limits_);
+  }
+
+  typename Query::Result result(std::size_t ray) const {
+    if constexpr (takes_any_order)
+      return (found_ >> ray & 1) != 0;
+    else
+      return best_[ray];
+  }
+
+ private:
+  void test(LeafRange leaf, std::uint32_t met) {
+    if constexpr (takes_any_order) {
+      const std::uint32_t found = leaves_.having_crossing(prepared_, leaf, met);
+      found_ |= found;
+      for (std::uint32_t rest = found; rest != 0; rest &= rest - 1) {
+        limits_[static_cast<std::size_t>(std::countr_zero(rest))] = -std::numeric_limits<T>::infinity();
+      }
+      open_ &= ~found;
+    } else {
+      leaves_.for_first_crossings(prepared_, leaf, met, limits_,
+                                  [&](std::size_t i, std::uint32_t id, const Crossing& crossing) {
+                                    keep_closer(rays_[i], id, crossing, best_[i]);
+                                    limits_[i] = std::min(best_[i].t, rays_[i].t_max);
+                                  });
+    }
+  }
+
+  const Leaves& leaves_;
+  const RayPacket<T>& packet_;
+  std::span<const Ray<T>> rays_;
+  std::uint32_t open_;  ///< A bit for each ray that may find something nearer.
+  std::uint32_t found_ = 0;
+  decltype(std::declval<const Leaves&>().prepare(std::declval<const RayPacket<T>&>(),
+                                                 std::declval<std::span<const Ray<T>>>())) prepared_;
+  typename RayPacket<T>::Lanes limits_;
+  std::array<Hit<T>, takes_any_order ? 0 : RayPacket<T>::size> best_{};
+};
+
+/// Calls finish(index of the ray, what its query found) for every ray, in order.
 template <class Query, class T, class Leaves, class Accel, class Probe, class Finish>
 void trace_packets(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> rays, Probe& probe,
                    Finish&& finish) {
@@ -92,16 +159,18 @@ void trace_packets(const Accel& accel, const Leaves& leaves, std::span<const Ray
     if constexpr (PacketAccelerator<Accel, T>) {
       const RayPacket<T> packet(part, accel.bounds());
       if (packet.is_coherent()) {
-        PacketQuery<Query, T, Leaves> queries(leaves, packet, part);
+        using Queries =
+            std::conditional_t<PacketLeaves<Leaves, T>, TogetherQuery<Query, T, Leaves>, PacketQuery<Query, T, Leaves>>;
+        Queries queries(leaves, packet, part);
         accel.traverse(packet, queries, probe);
-        for (std::size_t i = 0; i < part.size(); ++i) finish(first + i, queries[i]);
+        for (std::size_t i = 0; i < part.size(); ++i) finish(first + i, queries.result(i));
         continue;
       }
     }
     for (std::size_t i = 0; i < part.size(); ++i) {
       Query query(leaves, part[i]);
       accel.traverse(part[i], QueryVisitor{query, leaves}, probe);
-      finish(first + i, query);
+      finish(first + i, query.result());
     }
   }
 }
@@ -114,7 +183,7 @@ template <class T, class Leaves, class Accel, class Probe>
 void packet_closest_hits(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> rays, std::span<Hit<T>> hits,
                          Probe& probe) {
   detail::trace_packets<ClosestQuery<T, Leaves>>(accel, leaves, rays, probe,
-                                                 [&](std::size_t i, const auto& query) { hits[i] = query.best; });
+                                                 [&](std::size_t i, const Hit<T>& hit) { hits[i] = hit; });
 }
 
 /// is_hit[i] becomes what any_hit finds for rays[i], likewise.
@@ -122,7 +191,7 @@ template <class T, class Leaves, class Accel, class Probe>
 void packet_any_hits(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> rays,
                      std::span<std::uint8_t> is_hit, Probe& probe) {
   detail::trace_packets<AnyQuery<T, Leaves>>(accel, leaves, rays, probe,
-                                             [&](std::size_t i, const auto& query) { is_hit[i] = query.is_found; });
+                                             [&](std::size_t i, bool is_found) { is_hit[i] = is_found; });
 }
 
 }  // namespace sightline
