@@ -174,7 +174,13 @@ int run_render_command(int argc, const char* const* argv) {
   Asked asked;
   const std::string help = parse(argc, argv, asked);
   if (asked.what == Asked::What::ladder) return run_and_print(help, asked.ladder, run_ladder);
-  if (asked.what == Asked::What::scaling) return run_and_print(help, asked.scaling, run_scaling);
+  if (asked.what == Asked::What::scaling) {
+    try {
+      return run_and_print(help, asked.scaling, run_scaling);
+    } catch (const std::invalid_argument& error) {  // a scene of no such name
+      throw UsageError(error.what());
+    }
+  }
   if (asked.what == Asked::What::instructions) return run_and_print(help, asked.lines, count_instructions);
   TablePrinter tables;
   return run_command(help, asked.lines, [&](Progress& progress) {
