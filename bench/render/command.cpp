@@ -140,7 +140,7 @@ std::string parse(int argc, const char* const* argv, Asked& asked) {
       app.add_option("--peer", given.peer, "povray, or none (povray, where it is installed)")->type_name("NAME");
   auto* const rounds = app.add_option("--rounds", given.rounds,
                                       "Rounds of rendering everything once, 1 to 10,000 (201, quick 5; ladder 31, "
-                                      "quick 5; threads 11, quick 3)")
+                                      "quick 5; threads 7, quick 3)")
                            ->type_name("N")
                            ->check(CLI::Range(1, 10'000));
   app.add_flag("--quick", given.is_quick, "Pictures of a quarter of the size, fewer rounds");

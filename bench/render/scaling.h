@@ -17,9 +17,9 @@ struct ScalingPlan {
   std::vector<std::string> scenes;  ///< As make_scene() takes them, or names of data/scenes.
   std::vector<int> threads;         ///< The first is what the others are compared with.
   int width = 640, height = 480;
-  std::uint32_t samples = 4;  ///< Of a pixel.
-  int rounds = 11;
-  double row_seconds = 60;  ///< A line that would take longer for all its rounds takes part in fewer.
+  std::uint32_t samples = 2;  ///< Of a pixel.
+  int rounds = 7;
+  double row_seconds = 30;  ///< A line that would take longer for all its rounds takes part in fewer.
   Level level = Level::watertight;
   std::filesystem::path data_dir;
   std::string spoiled, json;
