@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "sightline/csg/convex_lanes.h"
+#include "sightline/csg/lane_refinement.h"
 #include "sightline/csg/lane_roots.h"
 #include "sightline/csg/solid_packet.h"
 #include "sightline/csg/span_list.h"
@@ -28,7 +29,9 @@ class PacketWalk {
 
   PacketWalk(const ConvexLanes& lanes, const SolidPacket<level>& rays) : lanes_(lanes), rays_(rays) {}
 
-  /// The first boundary with t_min < t, as far as it is not surely beyond each ray's limit.
+  /// The first boundary with t_min < t, as far as it is not surely beyond each ray's limit. With `refines` most are as
+  /// accurate as level watertight asks for.
+  template <bool refines>
   void run(std::uint32_t asked, const typename RayPacket<double>::Lanes& limits) {
     unclear = asked & ~rays_.moderate();
     asked &= rays_.moderate();
@@ -37,7 +40,7 @@ class PacketWalk {
       if (part == 0) continue;
       const Limits range = range_of(i, limits);
       Chunk chunk(lanes_, rays_, i, part);
-      chunk.run(range);
+      chunk.template run<refines>(range);
       found |= bits_of(d, chunk.is_found) << i;
       unclear |= bits_of(d, chunk.is_unclear) << i;
       reached |= bits_of(d, chunk.is_reached) << i;
@@ -60,7 +63,7 @@ class PacketWalk {
     return sure;
   }
 
-  /// Of a ray that has found one; not refined.
+  /// Of a ray that has found one.
   Boundary boundary(std::size_t ray) const {
     Boundary boundary(static_cast<double>(t_[ray]), static_cast<double>(radius_[ray]), 0, 0, 0);
     const auto number = static_cast<std::uint32_t>(face_[ray]);
@@ -151,6 +154,7 @@ class PacketWalk {
       t = radius = face = hn::Zero(d);
     }
 
+    template <bool refines>
     [[gnu::always_inline]] void run(const Limits& range) {
       common(range);
       is_reached = is_open_;
@@ -176,6 +180,7 @@ class PacketWalk {
       if (!hn::AllFalse(d, hn::And(is_open_, has_moved))) end_of_taken(hn::And(is_open_, has_moved));
       const M stayed = hn::AndNot(has_moved, is_open_);
       if (!hn::AllFalse(d, stayed)) end_of_kept(stayed);
+      if constexpr (refines && level == Level::watertight) refine();
     }
 
    private:
@@ -349,6 +354,21 @@ class PacketWalk {
           choice.add_plane(passing_of_slab(axis, lane, false), lane, static_cast<std::uint32_t>(axis));
         }
         choice.finish(*this);
+      }
+    }
+
+    /// Roots that are not accurate by themselves.
+    void refine() {
+      const M is_accurate = hn::Le(radius, hn::Mul(hn::Set(d, 0x1p-46), hn::Abs(t)));
+      const M is_rough = hn::AndNot(is_accurate, is_found);
+      if (hn::AllFalse(d, is_rough)) return;
+      for (std::uint32_t lane = 0; lane < lanes_.count(); ++lane) {
+        if (!lanes_[lane].is_round) continue;
+        const M is_here = hn::And(is_rough, hn::Eq(face, hn::Set(d, static_cast<Real>(lane * faces + at_round))));
+        if (hn::AllFalse(d, is_here)) continue;
+        const LaneRefinement refined(lanes_, lane, rays_, first_, t);
+        const M is_refined = hn::And(is_here, lane < lanes_.kept_count() ? refined.is_lower : refined.is_upper);
+        t = hn::IfThenElse(is_refined, refined.t, t), radius = hn::IfThenElse(is_refined, refined.radius, radius);
       }
     }
 

@@ -1,7 +1,6 @@
 #pragma once
 /// Solids as primitives of the accelerators: each is one, however many parts it has.
 
-#include <array>
 #include <bit>
 #include <limits>
 #include <memory>
@@ -16,6 +15,7 @@
 #include "sightline/accel/accelerator.h"
 #include "sightline/csg/evaluator.h"
 #include "sightline/csg/packet_walk.h"
+#include "sightline/math/raw_array.h"
 #include "sightline/shape/shapes.h"
 
 namespace sightline {
@@ -155,8 +155,8 @@ class SolidLeaves {
       return *together_;
     }
     PreparedRay<double>& alone(std::size_t i) {
-      if (!alone_[i]) alone_[i].emplace(rays_[i], extent_);
-      return *alone_[i];
+      if (!(made_ >> i & 1)) alone_.make(i, rays_[i], extent_), made_ |= 1u << i;
+      return alone_[i];
     }
 
    private:
@@ -164,7 +164,8 @@ class SolidLeaves {
     std::span<const Ray<double>> rays_;
     const Aabb& extent_;
     std::optional<SolidPacket<level>> together_;
-    std::array<std::optional<PreparedRay<double>>, RayPacket<double>::size> alone_;
+    std::uint32_t made_ = 0;  ///< Bits of those that are.
+    RawArray<PreparedRay<double>, RayPacket<double>::size> alone_;
   };
 
   PreparedPacket prepare(const RayPacket<double>& packet, std::span<const Ray<double>> rays) const {
@@ -180,7 +181,7 @@ class SolidLeaves {
       std::uint32_t unclear = met;
       if (const ConvexLanes* lanes = lanes_of(id)) {
         PacketWalk<level> walk(*lanes, rays.together());
-        walk.run(met, slackened(limits));
+        walk.template run<true>(met, slackened(limits));
         unclear = walk.unclear;
         count(*lanes, walk.reached);
         for (std::uint32_t rest = walk.found; rest != 0; rest &= rest - 1) {
@@ -218,7 +219,7 @@ class SolidLeaves {
       std::uint32_t unclear = met, surely = 0;
       if (const ConvexLanes* lanes = lanes_of(id)) {
         PacketWalk<level> walk(*lanes, rays.together());
-        walk.run(met, slackened(rays.limits()));
+        walk.template run<false>(met, slackened(rays.limits()));
         surely = walk.surely_within(rays.limits());
         unclear = walk.unclear | (walk.found & ~surely);
         count(*lanes, walk.reached);

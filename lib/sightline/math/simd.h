@@ -44,11 +44,15 @@ HWY_INLINE hn::Vec<D> look_up_two(D d, const hn::TFromD<D>* table, VI index) {
 #if HWY_TARGET <= HWY_AVX3
   const auto low = hn::Load(d, table).raw, high = hn::Load(d, table + hn::MaxLanes(d)).raw;
   if constexpr (sizeof(low) == 32) {
-    if constexpr (sizeof(hn::TFromD<D>) == 4) return hn::Vec<D>{_mm256_permutex2var_ps(low, index.raw, high)};
-    else return hn::Vec<D>{_mm256_permutex2var_pd(low, index.raw, high)};
+    if constexpr (sizeof(hn::TFromD<D>) == 4)
+      return hn::Vec<D>{_mm256_permutex2var_ps(low, index.raw, high)};
+    else
+      return hn::Vec<D>{_mm256_permutex2var_pd(low, index.raw, high)};
   } else {
-    if constexpr (sizeof(hn::TFromD<D>) == 4) return hn::Vec<D>{_mm512_permutex2var_ps(low, index.raw, high)};
-    else return hn::Vec<D>{_mm512_permutex2var_pd(low, index.raw, high)};
+    if constexpr (sizeof(hn::TFromD<D>) == 4)
+      return hn::Vec<D>{_mm512_permutex2var_ps(low, index.raw, high)};
+    else
+      return hn::Vec<D>{_mm512_permutex2var_pd(low, index.raw, high)};
   }
 #endif
 }
