@@ -16,6 +16,7 @@ namespace sightline::bench {
 struct RenderPlanOfBench {
   std::vector<std::string> scenes;  ///< Names of render_pictures; all where empty.
   int width = 800, height = 600;
+  bool is_quick = false;  ///< Of a quarter of that size.
   int rounds = 201;
   double row_seconds = 60;  ///< A line that would take longer for all its rounds takes part in fewer.
   Level level = Level::watertight;
@@ -59,6 +60,9 @@ inline constexpr std::string_view plan_line = "plan", again_line = "plan again",
 /// \throws WrongHits where a line's picture is not that of the plan, bit for bit, or POV-Ray sees something else.
 RenderBenchReport run_render(const RenderPlanOfBench& plan, Progress& progress,
                              const std::function<void(const RenderBenchReport&, const RenderPictureReport&)>& see);
+
+/// Of the pictures that it asks for.
+std::vector<std::string> names_of(const RenderPlanOfBench& plan);
 
 std::string head_text(const RenderBenchReport& report);
 std::string table_text(const RenderBenchReport& report, const RenderPictureReport& picture);
