@@ -143,7 +143,9 @@ class Integrator {
     const SurfacePoint& at;
     Vec3d to_viewer{0};        ///< Of unit length where the integrator has lengths.
     Vec3d side{0}, normal{0};  ///< Of unit length, on the viewer's side.
+    double slant = 0;          ///< The cosine of `outside` to the viewer, times to_viewer's length.
     bool is_inside = false;
+    bool is_bent = false;  ///< `normal` is another one than `side`.
     Color color{0};
     double eta = 1;            ///< As fresnel() takes it.
     float goes_scattered = 1;  ///< What a scattered path's weight is multiplied by; 0 where it ends.
@@ -171,7 +173,7 @@ class Integrator {
   [[gnu::always_inline]] inline void shade(const Ray<double>& ray, AnyPath& path, std::size_t place);
   void in_fog(double length, Path& path, Color& light) const;
   [[gnu::always_inline]] inline Color color_at(const Shade& shade, const AnyPath& path, std::size_t place);
-  [[gnu::always_inline]] inline Vec3d normal_at(const Shade& shade, const AnyPath& path);
+  Vec3d normal_at(const Shade& shade, const AnyPath& path);
   Color share_out(Shade& shade, const Path& path);
   [[gnu::always_inline]] inline void shine(const Shade& shade, const AnyPath& path, const Color& diffuse);
   Color highlight(const Shade& shade, const Vec3d& to_lamp, double cosine) const;

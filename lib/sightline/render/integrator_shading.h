@@ -51,7 +51,8 @@ void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, std::size_t p
     if constexpr (has_more_rays)
       path.spread /= static_cast<float>(speed);  // from here on directions are of unit length
   }
-  shade.is_inside = glm::dot(shade.at.outside, shade.to_viewer) < 0;
+  shade.slant = glm::dot(shade.at.outside, shade.to_viewer);
+  shade.is_inside = shade.slant < 0;
   shade.side = shade.is_inside ? -shade.at.outside : shade.at.outside;
 
   Color light(0);
@@ -70,7 +71,9 @@ void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, std::size_t p
     ++counters_[Effect::emission];
   }
   shade.color = color_at(shade, path, place);
-  shade.normal = normal_at(shade, path);
+  // A flat one faces the viewer, but edge-on.
+  shade.is_bent = has.has(Effect::normal_map) || surfaces.is_smooth(hit) || !(std::fabs(shade.slant) > 0);
+  shade.normal = shade.is_bent ? normal_at(shade, path) : shade.side;
 
   Color diffuse = material.is_diffuse ? shade.color : Color(0);
   if constexpr (is_specular) diffuse = share_out(shade, path);
@@ -123,8 +126,7 @@ Vec3d Integrator<has>::normal_at(const Shade& shade, const AnyPath& path) {
       if (material.dents) normal = surfaces.dented(shade.hit, shade.at, normal, *material.dents, footprint);
     }
   }
-  // A flat one faces the viewer, but edge-on.
-  if (normal == shade.at.outside && glm::dot(shade.side, shade.to_viewer) > 0) return shade.side;
+  if (normal == shade.at.outside && std::fabs(shade.slant) > 0) return shade.side;
   return facing_normal(normal, shade.at.outside, shade.to_viewer);
 }
 
@@ -210,7 +212,7 @@ void Integrator<has>::shine(const Shade& shade, const AnyPath& path, const Color
       if (is_area) place = sampler(path.slot).square(Draw::light, path.depth, i << 8 | k);
       const LampLight from = light_of(lamp, shade.at.point, place);
       const double cosine = glm::dot(shade.normal, from.to_lamp);
-      if (!(cosine > 0) || !(glm::dot(shade.side, from.to_lamp) > 0)) continue;
+      if (!(cosine > 0) || (shade.is_bent && !(glm::dot(shade.side, from.to_lamp) > 0))) continue;
       ++counters_[Effect::direct_light];
       Color share = static_cast<float>(cosine * std::numbers::inv_pi) * diffuse;
       if constexpr (has.has(Effect::glossy)) {

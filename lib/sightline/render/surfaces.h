@@ -49,10 +49,14 @@ class Surfaces {
   /// The element's number.
   NodeId node(const WorldHit& hit) const { return world_.origin(hit.item).node; }
 
+  /// Whether shading takes another normal than that of the surface.
+  bool is_smooth(const WorldHit& hit) const {
+    const MeshGeometry* mesh = items_[hit.item].mesh;
+    return mesh && !mesh->normals.empty();
+  }
   /// The normal as shading takes it: interpolated where the mesh has normals of its own. On the side of `outside`.
   Vec3d normal(const WorldHit& hit, const SurfacePoint& at) const {
-    const MeshGeometry* mesh = items_[hit.item].mesh;
-    return mesh && !mesh->normals.empty() ? interpolated_normal(hit, at) : at.outside;
+    return is_smooth(hit) ? interpolated_normal(hit, at) : at.outside;
   }
   /// The point in coordinates of the shape.
   Vec3d local(const WorldHit& hit, const SurfacePoint& at) const {
