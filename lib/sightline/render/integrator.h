@@ -5,7 +5,8 @@
 /// kind of ray, until none is left. So structures get neighbouring rays together, each wave's time and number belong to
 /// one effect, and what no effect asks for is no instruction.
 ///   I1  What a sample adds to its pixel depends on its pixel, its number and the scene: not on the tile, nor on which
-///       effects were compiled besides those that are used. Draws are by purpose (sampler.h), and waves follow each
+///       effects were compiled besides those that are used. What earlier samples of the pixel found (LampsSeen) does
+///       too. Draws are by purpose (sampler.h), and waves follow each
 ///       other in one order, so that sums have one order.
 ///   I2  Each surface scatters at most what it takes in: mirror, glass and diffuse parts share it by Fresnel's law.
 /// Whitted, "An Improved Illumination Model for Shaded Display", 1980; Cook, Porter and Carpenter, "Distributed Ray
@@ -23,6 +24,7 @@
 #include "sightline/render/render_scene.h"
 #include "sightline/render/sampler.h"
 #include "sightline/render/scattering.h"
+#include "sightline/render/shadow_choice.h"
 #include "sightline/render/stage_clock.h"
 
 namespace sightline {
@@ -65,6 +67,13 @@ struct RayWave {
     rays.push_back(ray);
     paths.push_back(path);
   }
+};
+
+/// A ray to an area lamp that was chosen to be sent.
+struct AreaRay {
+  std::uint32_t lamp;  ///< Among area lamps.
+  float guess;         ///< Of what it will find; that is in the pixel already.
+  bool is_trial;
 };
 
 /// Light that arrives if nothing is in between.
@@ -139,6 +148,9 @@ class Integrator {
   void follow();
   void trace(RayWave& wave, StageTimes::Clock::duration* time);
   void see();
+  void see_areas();
+  void recall(const TileBuffer& tile, std::span<const PixelPlace> places);
+  void remember(TileBuffer& tile, std::span<const PixelPlace> places) const;
   Color passed(const Ray<double>& ray);
   /// Of a sample of the wave of the camera.
   Sampler sampler(std::uint32_t slot) const {
@@ -154,6 +166,8 @@ class Integrator {
   Vec3d normal_at(const Shade& shade, const AnyPath& path);
   Color share_out(Shade& shade, const Path& path);
   void shine(const Shade& shade, const AnyPath& path, const Color& diffuse);
+  void add_area_ray(const Shade& shade, const AnyPath& path, const LampLight& from, Color light, std::uint32_t lamp,
+                    std::uint32_t which);
   Color highlight(const Shade& shade, const Vec3d& to_lamp, double cosine) const;
   void look_around(const Shade& shade, const AnyPath& path, const Color& diffuse);
   void add_sight(Sight sight, const Shade& shade, const Vec3d& direction, double length, const Color& light,
@@ -172,6 +186,9 @@ class Integrator {
   RayWave current_;
   std::array<RayWave, kind_count> next_;
   std::array<Sights, sight_count> sights_;
+  std::vector<AreaRay> area_rays_;                     ///< To those of sights_[to_area].
+  std::array<LampsSeen, wave_size> known_{}, seen_{};  ///< By earlier samples, and by this one.
+  bool is_trial_ = false;                              ///< Whether this one's rays are to tell later ones.
   std::vector<WorldHit> hits_;
   std::vector<std::uint8_t> is_stopped_;
 };

@@ -206,9 +206,12 @@ void Integrator<has>::shine(const Shade& shade, const AnyPath& path, const Color
   const bool is_glossy = has.has(Effect::glossy) && material.is_glossy;
   if (diffuse == Color(0) && !is_glossy) return;
   const std::vector<Lamp>& lamps = moment_->lamps;
+  std::uint32_t areas = 0;
   for (std::uint32_t i = 0; i < lamps.size(); ++i) {
     const Lamp& lamp = lamps[i];
     const bool is_area = has.has(Effect::soft_shadow) && lamp.is_area();
+    const std::uint32_t area = areas;
+    areas += is_area;
     const std::uint32_t count = is_area ? scene_.light_samples : 1;
     for (std::uint32_t k = 0; k < count; ++k) {
       glm::dvec2 place(0.5);
@@ -224,8 +227,37 @@ void Integrator<has>::shine(const Shade& shade, const AnyPath& path, const Color
       Color light = path.weight * share * from.irradiance;
       if (is_area) light /= static_cast<float>(count);
       if (light == Color(0)) continue;
-      add_sight(is_area ? to_area : to_point, shade, from.to_lamp, from.distance, light, path.slot);
+      if (is_area) {
+        add_area_ray(shade, path, from, light, area, i << 8 | k);
+      } else {
+        add_sight(to_point, shade, from.to_lamp, from.distance, light, path.slot);
+      }
     }
+  }
+}
+
+/// Sends a ray to an area lamp, number `lamp` of them, or what one would find in the mean.
+template <Effects has>
+void Integrator<has>::add_area_ray(const Shade& shade, const AnyPath& path, const LampLight& from, Color light,
+                                   std::uint32_t lamp, std::uint32_t which) {
+  if constexpr (has.has(Effect::soft_shadow)) {
+    const bool is_first = path.depth == 0;
+    AreaRay ray{lamp, 0, is_trial_ && is_first};
+    if (scene_.shadow_error2 > 0 && !ray.is_trial) {
+      // C3: surfaces that a sample meets after d others are at most 2^d, or, with interreflection, 3 of d > 0.
+      const double allowed =
+          scene_.shadow_error2 * std::exp2(-2.0 * path.depth - 1) / (moment_->area_lamps * scene_.light_samples);
+      const ShadowChoice choice = choose_shadow_ray(light, allowed, is_first ? known_[path.slot] : LampsSeen(), lamp);
+      ray.guess = choice.guess;
+      if (ray.guess > 0) radiance_[path.slot] += Vec3d(ray.guess * light);
+      if (sampler(path.slot).square(Draw::shadow, path.depth, which).x >= choice.probability) {
+        ++counters_.shadow_rays_spared;
+        return;
+      }
+      light /= choice.probability;
+    }
+    area_rays_.push_back(ray);
+    add_sight(to_area, shade, from.to_lamp, from.distance, light, path.slot);
   }
 }
 

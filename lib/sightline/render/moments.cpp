@@ -100,6 +100,7 @@ std::unique_ptr<Moment> moment_of(Scene posed, const RenderSettings& settings) {
   moment->lens = lens_of(scene, settings, moment->world->bounds());
   moment->lamps = lamps_of(scene);
   if (!has_light(scene, *moment->world)) light_up(*moment);
+  for (const Lamp& lamp : moment->lamps) moment->area_lamps += lamp.is_area();
 
   // R1
   const auto lets_light_through = [&](const SceneOrigin& origin) {

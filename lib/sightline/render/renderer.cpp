@@ -42,6 +42,7 @@ Renderer::Renderer(std::shared_ptr<const Scene> scene, const RenderSettings& set
   require(settings.error_bound >= 0, "error bound", "a number of at least 0");
   require(settings.depth.value_or(0) >= 0, "depth", "at least 0");
   require(settings.cut_off.value_or(0) >= 0, "cut-off", "a number of at least 0");
+  require(settings.shadow_error.value_or(0) >= 0, "shadow error", "a number of at least 0");
   const RenderHints& hints = scene->render;
   if (settings_.samples == 0) settings_.samples = hints.samples;
   if (settings_.light_samples == 0) {
@@ -56,6 +57,8 @@ Renderer::Renderer(std::shared_ptr<const Scene> scene, const RenderSettings& set
   ready_.depth = settings.depth ? static_cast<std::uint32_t>(*settings.depth) : hints.depth;
   ready_.cut_off = settings.cut_off.value_or(hints.cut_off);
   ready_.light_samples = settings_.light_samples;
+  const double shadow_error = settings.shadow_error.value_or(hints.shadow_error);
+  ready_.shadow_error2 = shadow_error * shadow_error * settings_.samples;
   ready_.seed = settings.seed;
   ready_.has_sky = !ready_.sky->is_black();
   ready_.sky_lights = first.posed.surroundings.lights;
