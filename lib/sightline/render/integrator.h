@@ -57,11 +57,13 @@ struct FirstPath {
 struct RayWave {
   std::vector<Ray<double>> rays;
   std::vector<Path> paths;
+  std::vector<double> densities;  ///< Of their directions, where the sky is asked in two ways; else empty.
 
   bool is_empty() const { return rays.empty(); }
   void clear() {
     rays.clear();
     paths.clear();
+    densities.clear();
   }
   void add(const Ray<double>& ray, const Path& path) {
     rays.push_back(ray);
@@ -98,7 +100,9 @@ class Integrator {
  public:
   /// `times` may be null.
   Integrator(const RenderScene& scene, RenderCounters& counters, StageTimes* times)
-      : scene_(scene), counters_(counters), times_(times) {}
+      : scene_(scene), counters_(counters), times_(times) {
+    if constexpr (has.has(Effect::environment)) bright_ = scene.sky->distribution();
+  }
 
   /// As PictureSource asks for them.
   void add_samples(TileBuffer& tile, std::span<const std::uint32_t> pixels, SampleRange range, FactsAsked facts);
@@ -120,6 +124,8 @@ class Integrator {
   static constexpr bool has_more_rays = is_specular || has.has(Effect::interreflection);
   static constexpr bool has_footprints =
       has.has(Effect::procedural_texture) || has.has(Effect::image_texture) || has.has(Effect::normal_map);
+  /// Whether glossy surfaces may ask the sky where it is bright, too.
+  static constexpr bool has_bright_gloss = has.has(Effect::glossy) && has.has(Effect::environment);
   /// Whether anything asks for lengths along rays, and for directions of unit length.
   static constexpr bool has_lengths =
       is_specular || has_footprints || has.has(Effect::absorption) || has.has(Effect::fog);
@@ -158,8 +164,13 @@ class Integrator {
     return {scene_.seed, row * static_cast<std::uint32_t>(moment_->lens.camera.width) + column, sample_};
   }
 
+  /// Not in fog, which dims paths and not rays to lights.
+  bool asks_bright_sky(const SurfaceMaterial& material, const AnyPath& path) const {
+    return has_bright_gloss && bright_ && material.is_glossy && path.depth < scene_.depth && scene_.fog.density == 0;
+  }
+
   // integrator_shading.h
-  void shade_miss(const Ray<double>& ray, AnyPath& path);
+  void shade_miss(const Ray<double>& ray, AnyPath& path, double density);
   void shade(const Ray<double>& ray, AnyPath& path, const WorldHit& hit);
   void in_fog(double length, Path& path, Color& light) const;
   Color color_at(const Shade& shade, const AnyPath& path);
@@ -170,6 +181,7 @@ class Integrator {
                     std::uint32_t which);
   Color highlight(const Shade& shade, const Vec3d& to_lamp, double cosine) const;
   void look_around(const Shade& shade, const AnyPath& path, const Color& diffuse);
+  void look_at_sky(const Shade& shade, const AnyPath& path, const Color& diffuse);
   void add_sight(Sight sight, const Shade& shade, const Vec3d& direction, double length, const Color& light,
                  std::uint32_t slot);
   void go_on(Kind kind, const Shade& shade, const Path& path, const Vec3d& direction, const Color& weight);
@@ -178,6 +190,7 @@ class Integrator {
   RenderCounters& counters_;
   StageTimes* times_;
 
+  const SkyDistribution* bright_ = nullptr;  ///< Null where only surfaces choose directions to the sky.
   const Moment* moment_ = nullptr;
   float pixel_width_ = 0;  ///< Of the camera, at t = 1.
   std::uint32_t sample_ = 0;

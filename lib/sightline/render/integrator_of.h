@@ -63,6 +63,7 @@ void Integrator<has>::look(std::span<const PixelPlace> places) {
   pixel_width_ = static_cast<float>(2 * glm::length(row));
   const bool is_spread = scene_.effects.has(Effect::antialiasing);
   places_ = places;
+  current_.densities.clear();
   current_.rays.resize(places.size());
   if constexpr (!is_slim) current_.paths.resize(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -154,7 +155,7 @@ void Integrator<has>::trace(RayWave& wave, StageTimes::Clock::duration* time) {
     if (hits_[i].is_hit()) {
       shade(wave.rays[i], path, hits_[i]);
     } else if (scene_.has_sky || has.has(Effect::fog)) {
-      shade_miss(wave.rays[i], path);
+      shade_miss(wave.rays[i], path, wave.densities.empty() ? 0 : wave.densities[i]);
     }
   };
   for (std::size_t i = 0; i < wave.rays.size(); ++i) {

@@ -9,12 +9,23 @@
 
 namespace sightline {
 
+/// The share that a way of choosing a direction has, where another might have chosen it as well: the balance heuristic
+/// of Veach and Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", 1995. Shares sum up to 1.
+inline float balance(double density, double other) { return static_cast<float>(density / (density + other)); }
+
 template <Effects has>
-void Integrator<has>::shade_miss(const Ray<double>& ray, AnyPath& path) {
+void Integrator<has>::shade_miss(const Ray<double>& ray, AnyPath& path, [[maybe_unused]] double density) {
   Color light(0);
   if constexpr (has.has(Effect::fog)) in_fog(std::numeric_limits<double>::infinity(), path, light);
   const bool is_lit = !path.is_scattered || scene_.sky_lights;
-  if (scene_.has_sky && is_lit) light += path.weight * scene_.sky->toward(glm::normalize(ray.direction));
+  if (scene_.has_sky && is_lit) {
+    const Vec3d way = glm::normalize(ray.direction);
+    Color seen = path.weight * scene_.sky->toward(way);
+    if constexpr (has_bright_gloss) {
+      if (density > 0) seen *= balance(density, bright_->density(way));
+    }
+    light += seen;
+  }
   if (light != Color(0)) radiance_[path.slot] += Vec3d(light);
 }
 
@@ -76,6 +87,9 @@ void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, const WorldHi
   if (light != Color(0)) radiance_[path.slot] += Vec3d(light);
   shine(shade, path, diffuse);
   if (diffuse != Color(0)) look_around(shade, path, diffuse);
+  if constexpr (has.has(Effect::environment)) {
+    if (bright_) look_at_sky(shade, path, diffuse);
+  }
 }
 
 template <Effects has>
@@ -188,6 +202,14 @@ Color Integrator<has>::share_out(Shade& shade, const Path& path) {
         seen *= cos_out > 0 ? static_cast<float>(facets.seen_by_both(cos_view, cos_out) / facets.seen(cos_view)) : 0;
       }
       go_on(material.is_glossy ? spread : mirrored, shade, path, direction, seen * reflection);
+      if constexpr (has_bright_gloss) {
+        RayWave& wave = next_[spread];
+        if (asks_bright_sky(material, path) && wave.densities.size() < wave.rays.size()) {
+          wave.densities.push_back(
+              Microfacets(values.roughness)
+                  .density_of_reflected(glm::dot(shade.normal, shade.to_viewer), glm::dot(shade.normal, facet)));
+        }
+      }
     }
   }
   if constexpr (has.has(Effect::refraction)) {
@@ -294,8 +316,9 @@ void Integrator<has>::look_around(const Shade& shade, const AnyPath& path, const
     if (scene_.effects.has(Effect::environment)) {
       const Vec3d way = direction(Draw::environment);
       if (glm::dot(way, shade.side) > 0) {
-        add_sight(to_sky, shade, way, std::numeric_limits<double>::infinity(),
-                  path.weight * diffuse * scene_.sky->toward(way), path.slot);
+        Color light = path.weight * diffuse * scene_.sky->toward(way);
+        if (bright_) light *= balance(glm::dot(way, shade.normal) * std::numbers::inv_pi, bright_->density(way));
+        add_sight(to_sky, shade, way, std::numeric_limits<double>::infinity(), light, path.slot);
       }
     }
   }
@@ -304,6 +327,33 @@ void Integrator<has>::look_around(const Shade& shade, const AnyPath& path, const
       const Vec3d way = direction(Draw::diffuse);
       if (glm::dot(way, shade.side) > 0) go_on(scattered, shade, path, way, shade.goes_scattered * diffuse);
     }
+  }
+}
+
+/// Asks where an image of the sky is bright. Of each direction this has the share that look_around() and paths from
+/// glossy surfaces leave it.
+template <Effects has>
+void Integrator<has>::look_at_sky(const Shade& shade, const AnyPath& path, const Color& diffuse) {
+  if constexpr (has.has(Effect::environment)) {
+    const bool is_glossy = asks_bright_sky(shade.material, path);
+    if (diffuse == Color(0) && !is_glossy) return;
+    const auto [way, density] = bright_->sample(sampler(path.slot).square(Draw::sky, path.depth));
+    const double cosine = glm::dot(shade.normal, way);
+    if (!(density > 0 && cosine > 0) || !(glm::dot(shade.side, way) > 0)) return;
+    const double by_diffuse = cosine * std::numbers::inv_pi;
+    Color share = static_cast<float>(by_diffuse / (density + by_diffuse)) * diffuse;
+    if constexpr (has_bright_gloss) {
+      if (is_glossy) {
+        const Vec3d facet = glm::normalize(way + shade.to_viewer);
+        const double by_facets =
+            Microfacets(shade.material.values.roughness)
+                .density_of_reflected(glm::dot(shade.normal, shade.to_viewer), glm::dot(shade.normal, facet));
+        share += highlight(shade, way, cosine) / static_cast<float>(density + by_facets);
+      }
+    }
+    const Color light = path.weight * share * scene_.sky->toward(way);
+    if (light == Color(0)) return;
+    add_sight(to_sky, shade, way, std::numeric_limits<double>::infinity(), light, path.slot);
   }
 }
 
