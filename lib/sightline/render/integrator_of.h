@@ -226,7 +226,7 @@ void Integrator<has>::see_areas() {
 /// What earlier samples found of lamps: where the scene is another at each moment, nothing that holds.
 template <Effects has>
 void Integrator<has>::recall(const TileBuffer& tile, std::span<const PixelPlace> places) {
-  const bool asks = scene_.shadow_error2 > 0 && scene_.moments.size() == 1;
+  const bool asks = scene_.shadow_error2 > 0 && scene_.moments.size() == 1 && moment_->area_lamps > 0;
   is_trial_ = asks && sample_ < LampsSeen::trials;
   for (std::size_t i = 0; i < places.size(); ++i) {
     known_[i] = LampsSeen(asks && !is_trial_ ? tile.sums[places[i].in_tile].lamps_seen : 0);

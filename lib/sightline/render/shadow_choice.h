@@ -51,7 +51,8 @@ class LampsSeen {
 
 /// A ray's probability, and what is taken for granted of it.
 struct ShadowChoice {
-  float guess = 0, probability = 1;
+  float guess = 0;
+  double probability = 1;
 };
 
 /// \param light what arrives if nothing is in between, f; of it the luminance counts.
@@ -64,7 +65,7 @@ inline ShadowChoice choose_shadow_ray(const Color& light, double allowed, LampsS
   const double f = 0.2126 * light.x + 0.7152 * light.y + 0.0722 * light.z;
   const bool is_lit = seen.is_always_lit(lamp), is_known = is_lit || seen.is_always_dark(lamp);
   const double square = (is_known ? doubt : 0.25) * f * f;
-  return {is_known ? float(is_lit) : 0.5f, static_cast<float>(square / (square + allowed))};
+  return {is_known ? float(is_lit) : 0.5f, square / (square + allowed)};
 }
 
 }  // namespace sightline
