@@ -15,8 +15,11 @@ constexpr std::size_t most = std::size_t{side} * side;
 struct Square {
   std::array<Ray<double>, most> rays, to_lamp;
   std::array<WorldHit, most> hits;
-  std::array<Color, most> seen, light;
-  std::array<std::uint32_t, most> places, lit;
+  std::array<SurfacePoint, most> at;
+  std::array<Vec3d, most> points;
+  std::array<Footprint, most> footprints;
+  std::array<Color, most> seen, light, colors;
+  std::array<std::uint32_t, most> places, met, lit;
   std::array<std::uint8_t, most> is_dark;
 };
 
@@ -38,11 +41,9 @@ class Stripped {
         const std::size_t count = look(tile.rect, x, y);
         moment_.world->closest_hits(std::span<const Ray<double>>(square_.rays).first(count),
                                     std::span(square_.hits).first(count));
+        const std::size_t met = meet(count);
         std::size_t lit = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-          square_.seen[i] = Color(0);
-          if (square_.hits[i].is_hit()) lit += shade(i, lit);
-        }
+        for (std::size_t k = 0; k < met; ++k) lit += shade(k, lit);
         moment_.world->any_hits(std::span<const Ray<double>>(square_.to_lamp).first(lit),
                                 std::span(square_.is_dark).first(lit));
         for (std::size_t i = 0; i < lit; ++i) {
@@ -69,31 +70,50 @@ class Stripped {
     return count;
   }
 
-  /// 1 where light could come to what the ray hits: then as number `lit`.
-  std::size_t shade(std::size_t i, std::size_t lit) {
-    const Ray<double>& ray = square_.rays[i];
-    const WorldHit& hit = square_.hits[i];
-    const Surfaces& surfaces = *moment_.surfaces;
-    const SurfacePoint at = surfaces.locate(ray, hit);
-    const SurfaceMaterial& material = (*scene_.materials)[surfaces.material(hit)];
-    Color color = material.values.color;
-    double cosine = 0;
-    Vec3d face;
-    if constexpr (is_textured) {
-      const double speed = std::sqrt(glm::dot(ray.direction, ray.direction));
-      const Vec3d to_viewer = -ray.direction / speed;
-      face = glm::dot(at.outside, to_viewer) < 0 ? -at.outside : at.outside;
-      const float width = pixel_width_ * static_cast<float>(hit.t);
-      const double slant = std::fabs(glm::dot(face, to_viewer));
-      const double footprint = scene_.has_footprints ? width / std::sqrt(std::max(slant, 0x1p-4)) : 0.0;
-      color *= (*material.color_function)(surfaces.local(hit, at), surfaces.local_footprint(hit, at, footprint));
-    } else {
-      face = glm::dot(at.outside, ray.direction) > 0 ? -at.outside : at.outside;
+  /// Where rays hit, and with which colors; returns how many do.
+  std::size_t meet(std::size_t count) {
+    std::size_t met = 0;
+    const SurfaceMaterial* material = nullptr;
+    for (std::size_t i = 0; i < count; ++i) {
+      square_.seen[i] = Color(0);
+      const WorldHit& hit = square_.hits[i];
+      if (!hit.is_hit()) continue;
+      const Ray<double>& ray = square_.rays[i];
+      const Surfaces& surfaces = *moment_.surfaces;
+      SurfacePoint& at = square_.at[met] = surfaces.locate(ray, hit);
+      material = &(*scene_.materials)[surfaces.material(hit)];
+      if constexpr (is_textured) {
+        double footprint = 0;
+        if (scene_.has_footprints) {
+          const double speed = std::sqrt(glm::dot(ray.direction, ray.direction));
+          const double slant = std::fabs(glm::dot(at.outside, -ray.direction / speed));
+          footprint = pixel_width_ * static_cast<float>(hit.t) / std::sqrt(std::max(slant, 0x1p-4));
+        }
+        square_.points[met] = surfaces.local(hit, at);
+        square_.footprints[met] = surfaces.local_footprint(hit, at, footprint);
+      }
+      square_.colors[met] = material->values.color;
+      square_.met[met++] = static_cast<std::uint32_t>(i);
     }
-    cosine = glm::dot(face, -lamp_.axis);
+    if constexpr (is_textured) {
+      if (met > 0) {
+        material->color_function->colors(std::span<const Vec3d>(square_.points).first(met),
+                                         std::span<const Footprint>(square_.footprints).first(met),
+                                         std::span(square_.colors).first(met));
+      }
+    }
+    return met;
+  }
+
+  /// 1 where light could come to what is met there: then as number `lit`.
+  std::size_t shade(std::size_t k, std::size_t lit) {
+    const std::uint32_t i = square_.met[k];
+    const SurfacePoint& at = square_.at[k];
+    const Vec3d face = glm::dot(at.outside, square_.rays[i].direction) > 0 ? -at.outside : at.outside;
+    const double cosine = glm::dot(face, -lamp_.axis);
     if (!(cosine > 0)) return 0;
-    square_.light[lit] = static_cast<float>(cosine * std::numbers::inv_pi) * color * lamp_.strength;
-    square_.lit[lit] = static_cast<std::uint32_t>(i);
+    square_.light[lit] = static_cast<float>(cosine * std::numbers::inv_pi) * square_.colors[k] * lamp_.strength;
+    square_.lit[lit] = i;
     square_.to_lamp[lit].origin = at.beyond(face);
     square_.to_lamp[lit].direction = -lamp_.axis;
     return 1;

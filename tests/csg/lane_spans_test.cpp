@@ -109,7 +109,7 @@ void compare(const Solid& solid, const Ray<double>& ray, bool is_scaled, Counts&
 
 template <Level level>
 void compare_many() {
-  if (!LaneSpans<level>::is_possible) return;
+  if (!has_lane_roots<level>) return;
   Counts counts;
   for (std::uint64_t seed = 0; seed < 2000 && !testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE(seed);

@@ -50,6 +50,12 @@ class RayPacket {
   bool is_negative[3];
   T t_min, t_max;
   const Axis& along(int axis) const { return axes_[axis]; }
+  /// Of each ray, not padded; places beyond the last one repeat that.
+  const Lanes& origins(int axis) const { return origin_[axis]; }
+  const Lanes& directions(int axis) const { return direction_[axis]; }
+  const Lanes& inverses(int axis) const { return inverse_[axis]; }
+  const Lanes& nearest() const { return t_min_; }   ///< Each t_min.
+  const Lanes& farthest() const { return t_max_; }  ///< Each t_max.
   Interval<T> clip(const Aabb& box, T far) const {
     Interval<T> range{t_min, far};
     for (int axis = 0; axis < 3; ++axis) {
@@ -101,15 +107,15 @@ class RayPacket {
     for (std::size_t i = 0; i < size; ++i) {
       const Ray<T>& ray = rays[std::min(i, rays.size() - 1)];
       for (int axis = 0; axis < 3; ++axis) {
-        enter_origin_[axis][i] = ray.origin[axis];
-        inverse_[axis][i] = ray.direction[axis];
+        origin_[axis][i] = ray.origin[axis];
+        direction_[axis][i] = ray.direction[axis];
       }
       t_min_[i] = ray.t_min;
       t_max_[i] = ray.t_max;
     }
   }
 
-  /// Origins and directions become what they are named; false where P1 does not hold.
+  /// False where P1 does not hold.
   bool prepare(const Aabb& bounds) {
     const V most = set(largest), fewest = set(1 / largest);
     const auto is_size = [&](V x) { return hn::And(hn::Ge(x, fewest), hn::Le(x, most)); };
@@ -118,7 +124,7 @@ class RayPacket {
       V reach = hn::Zero(d);
       auto is_ordinary = hn::Le(at(t_min_, i), at(t_max_, i));
       for (int axis = 0; axis < 3; ++axis) {
-        const V origin = at(enter_origin_[axis], i);
+        const V origin = at(origin_[axis], i);
         const V to_lo = hn::Abs(hn::Sub(set(bounds.lo[axis]), origin));
         const V to_hi = hn::Abs(hn::Sub(set(bounds.hi[axis]), origin));
         reach = hn::Max(reach, hn::Max(to_lo, to_hi));
@@ -127,7 +133,7 @@ class RayPacket {
       is_ordinary = hn::And(is_ordinary, is_size(reach));
       const V pad = hn::Mul(reach, set(margin<T>));
       for (int axis = 0; axis < 3; ++axis) {
-        const V origin = at(enter_origin_[axis], i), direction = at(inverse_[axis], i);
+        const V origin = at(origin_[axis], i), direction = at(direction_[axis], i);
         constexpr T rounding = 2 * std::numeric_limits<T>::epsilon();  // as of PaddedRay
         const V away = hn::CopySign(hn::Add(pad, hn::Mul(set(rounding), hn::Add(hn::Abs(origin), pad))), direction);
         hn::Store(hn::Add(origin, away), d, enter_origin_[axis].data() + i);
@@ -158,7 +164,7 @@ class RayPacket {
     t_max = greatest(t_max_);
   }
 
-  Lanes enter_origin_[3], leave_origin_[3], inverse_[3], t_min_, t_max_;
+  Lanes origin_[3], direction_[3], enter_origin_[3], leave_origin_[3], inverse_[3], t_min_, t_max_;
   Axis axes_[3];
   bool is_coherent_;
 };

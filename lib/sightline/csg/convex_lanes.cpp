@@ -128,6 +128,7 @@ class ConvexLanes::Builder {
     }
     rows.is_round[last()] = 1;
     rows.square[last()] = radius * radius * (length * length);
+    rows.radius_square[last()] = radius * radius;
   }
 
   ConvexLanes& lanes_;

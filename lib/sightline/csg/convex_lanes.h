@@ -28,6 +28,7 @@ struct LaneRows {
 
   alignas(64) std::array<Row, 3> weight{}, center{};
   alignas(64) Row square{}, is_round{};             ///< 1 where the lane has a quadratic, else 0.
+  alignas(64) Row radius_square{};                  ///< Without the weight.
   alignas(64) Row error_a{}, error_b{}, error_c{};  ///< By the sizes of SizedDouble, without its step.
   alignas(64) std::array<Row, 3> lo, hi;            ///< Slabs: of a box all three, of a cylinder that of its caps.
   std::array<Real, 3> lower, upper;                 ///< The planes of what is kept.

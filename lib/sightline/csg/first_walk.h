@@ -61,7 +61,7 @@ template <Level level, class Probe>
   t_max += limit_slack<level>(t_max);
   if (Probe::sees_transitions || !parts) return WalkOutcome::unclear;
   if (!ray.is_valid()) return WalkOutcome::none;
-  if constexpr (LaneSpans<level>::is_possible) {
+  if constexpr (has_lane_roots<level>) {
     if (parts->lanes && !ray.has_zero())
       return LaneWalk<level, Probe>(*parts->lanes, ray, probe).run(t_min, t_max, first);
   }

@@ -2,9 +2,8 @@
 /// Where a ray is inside all the lanes of a solid, found at once.
 
 #include "sightline/csg/convex_lanes.h"
-#include "sightline/csg/face_roots.h"
+#include "sightline/csg/lane_roots.h"
 #include "sightline/math/rounding.h"
-#include "sightline/math/simd.h"
 
 namespace sightline {
 
@@ -14,16 +13,13 @@ struct Enclosure {
 };
 
 /// The spans of lanes along a ray, as far as they are clear.
-///   S1  Roots and their radii are, bit for bit, those that quick_span finds (quick_spans.h): the same operations in
-///       the same order. Where that does not find two or none, surely, the lane is unclear.
-///   S2  Enclosures reach twice as far as the radius, which pays for their own rounding: radii are at least 2^-51 of t.
+///   S1  Roots are those of quick_span (lane_roots.h). Where that does not find two or none, surely, the lane is
+///   unclear. S2  Enclosures reach twice as far as the radius, which pays for their own rounding: radii are at least
+///   2^-51 of t.
 template <Level level>
 class LaneSpans {
  public:
   using Real = typename QuickRay<level>::Real;
-
-  /// Whether lanes find at this level what scalars do: floats need the fused operations that those are given.
-  static constexpr bool is_possible = level != Level::fast || HWY_NATIVE_FMA;
 
   LaneSpans(const ConvexLanes& lanes, const QuickRay<level>& ray) : lanes_(lanes) {
     for (std::uint32_t lane = 0; lane < lanes.count(); lane += step) find(lane, ray);
@@ -68,10 +64,8 @@ class LaneSpans {
   using M = hn::Mask<decltype(d)>;
   static constexpr std::uint32_t step = static_cast<std::uint32_t>(hn::MaxLanes(d));
 
-  struct Roots {
-    V t[2], radius[2];
-    M are_two, are_none;
-  };
+  using Roots = LaneRoots<level, std::remove_const_t<decltype(d)>>;
+  using Passings = LanePassings<level, std::remove_const_t<decltype(d)>>;
 
   static Real rounded_down(double x) {
     if constexpr (level == Level::fast) return round_down(x);
@@ -115,8 +109,8 @@ class LaneSpans {
     if (lanes_.has_slabs()) {
       V in, out;
       slabs(rows, lane, ray, in, out);
-      enter_lo = hn::Max(enter_lo, lower(in)), enter_hi = hn::Max(enter_hi, upper(in));
-      leave_lo = hn::Min(leave_lo, lower(out)), leave_hi = hn::Min(leave_hi, upper(out));
+      enter_lo = hn::Max(enter_lo, Passings::lower(in)), enter_hi = hn::Max(enter_hi, Passings::upper(in));
+      leave_lo = hn::Min(leave_lo, Passings::lower(out)), leave_hi = hn::Min(leave_hi, Passings::upper(out));
     }
     const std::uint32_t over = bits_of(d, hn::Gt(enter_lo, leave_hi)) << lane;
     const std::uint32_t open = bits_of(d, hn::Lt(enter_hi, leave_lo)) << lane;
@@ -124,20 +118,6 @@ class LaneSpans {
     unclear_ |= unclear | (bits & ~(empty_ | open));
     hn::Store(enter_lo, d, enter_lo_.data() + lane), hn::Store(enter_hi, d, enter_hi_.data() + lane);
     hn::Store(leave_lo, d, leave_lo_.data() + lane), hn::Store(leave_hi, d, leave_hi_.data() + lane);
-  }
-
-  /// S2 of where planes are passed; both grow with t.
-  static V lower(V t) {
-    if constexpr (level == Level::fast) return t;
-    return hn::Sub(t, slack(t));
-  }
-  static V upper(V t) {
-    if constexpr (level == Level::fast) return t;
-    return hn::Add(t, slack(t));
-  }
-  static V slack(V t) {
-    return hn::Add(hn::Mul(hn::Abs(t), hn::Set(d, Real(2 * QuickRay<level>::passing_share))),
-                   hn::Set(d, Real(2 * QuickRay<level>::passing_step)));
   }
 
   /// QuickRay::passing of the planes, the last one in and the first one out.
@@ -156,7 +136,6 @@ class LaneSpans {
     }
   }
 
-  /// S1
   [[gnu::always_inline]] static Roots roots_of(const LaneRows<Real>& rows, std::uint32_t lane,
                                                const QuickRay<level>& ray) {
     const auto load = [&](const Row& row) { return hn::Load(d, row.data() + lane); };
@@ -167,78 +146,7 @@ class LaneSpans {
       along[axis] = hn::Mul(real(ray.ray().direction), weight);
       away[axis] = hn::Mul(hn::Sub(real(ray.ray().origin), load(rows.center[axis])), weight);
     }
-    const auto sum = [](V x, V y, V z) { return hn::Add(hn::Add(x, y), z); };
-    const auto dot = [&](const V* u, const V* v) {
-      return sum(hn::Mul(u[0], v[0]), hn::Mul(u[1], v[1]), hn::Mul(u[2], v[2]));
-    };
-    const V square = load(rows.square), a = dot(along, along), far2 = dot(away, away), c = hn::Sub(far2, square);
-    const V x = hn::Mul(along[0], away[0]), y = hn::Mul(along[1], away[1]), z = hn::Mul(along[2], away[2]);
-    const V b = sum(x, y, z);
-    if constexpr (level == Level::fast) {
-      return roots_of_floats(a, b, c);
-    } else {
-      const V least = hn::Set(d, SizedDouble::step);
-      const V sizes_b = sum(hn::Abs(x), hn::Abs(y), hn::Abs(z));
-      const V error_a = hn::Add(hn::Mul(a, load(rows.error_a)), least);
-      const V error_b = hn::Add(hn::Mul(sizes_b, load(rows.error_b)), least);
-      const V error_c = hn::Add(hn::Mul(hn::Add(far2, square), load(rows.error_c)), least);
-      return roots_of_sized(a, b, c, error_a, error_b, error_c);
-    }
-  }
-
-  /// quadratic_roots of SizedDouble, where a is not negative.
-  [[gnu::always_inline]] static Roots roots_of_sized(V a, V b, V c, V error_a, V error_b, V error_c) {
-    const auto real = [](double x) { return hn::Set(d, static_cast<Real>(x)); };
-    const V size_b = hn::Abs(b), size_c = hn::Abs(c);
-    const V square = hn::Mul(b, b), product = hn::Mul(a, c), discriminant = hn::Sub(square, product);
-    const V of_terms =
-        hn::Add(hn::Add(hn::Mul(hn::Add(hn::Add(size_b, size_b), error_b), error_b), hn::Mul(a, error_c)),
-                hn::Mul(hn::Add(size_c, error_c), error_a));
-    const V of_roundings = hn::Mul(hn::Add(square, hn::Abs(product)), real(0x1p-52));
-    const V error = hn::Add(hn::Mul(hn::Add(of_terms, of_roundings), real(1 + 0x1p-40)), real(SizedDouble::step));
-    const M is_quadratic = hn::Gt(a, hn::Mul(real(0x1p+20), error_a));
-    const M is_certain = hn::And(is_quadratic, hn::Gt(hn::Abs(discriminant), error));
-    const M is_met = hn::Gt(discriminant, hn::Zero(d));
-
-    const V root = hn::Sqrt(discriminant), size_q = hn::Add(size_b, root);
-    const M is_behind = hn::Gt(b, hn::Zero(d));
-    const V q = hn::IfThenElse(is_behind, hn::Neg(size_q), size_q);
-    const V error_q =
-        hn::Add(hn::Mul(hn::Add(error_b, hn::Div(error, root)), real(1 + 0x1p-40)), hn::Mul(size_q, real(0x1p-51)));
-    const M is_apart = hn::Gt(size_q, hn::Mul(real(0x1p+20), error_q));
-    const V inverse_a = hn::Div(real(1), a), inverse_q = hn::Div(real(1), q);
-    const V one = hn::Mul(q, inverse_a), other = hn::Mul(c, inverse_q);
-    const V size_one = hn::Abs(one), size_other = hn::Abs(other), slack = real(1 + 0x1p-18), tiny = real(0x1p-51);
-    const V first = hn::Add(hn::Mul(hn::Mul(hn::Add(error_q, hn::Mul(size_one, error_a)), inverse_a), slack),
-                            hn::Mul(size_one, tiny));
-    const V second =
-        hn::Add(hn::Mul(hn::Mul(hn::Add(error_c, hn::Mul(size_other, error_q)), hn::Abs(inverse_q)), slack),
-                hn::Mul(size_other, tiny));
-    Roots roots;
-    roots.t[0] = hn::IfThenElse(is_behind, one, other), roots.t[1] = hn::IfThenElse(is_behind, other, one);
-    roots.radius[0] = hn::IfThenElse(is_behind, first, second);
-    roots.radius[1] = hn::IfThenElse(is_behind, second, first);
-    roots.are_two = hn::And(hn::And(is_certain, is_met), is_apart);
-    roots.are_none = hn::AndNot(is_met, is_certain);
-    return roots;
-  }
-
-  /// quadratic_roots of float, where nothing needs to be scaled.
-  [[gnu::always_inline]] static Roots roots_of_floats(V a, V b, V c) {
-    const V zero = hn::Zero(d), large = hn::Set(d, Real(0x1p+62));
-    const V product = hn::Mul(a, c);
-    const V discriminant = hn::Add(hn::MulSub(b, b, product), hn::NegMulAdd(a, c, product));
-    const V size_b = hn::Abs(b), size_c = hn::Abs(c), most = hn::Max(size_b, size_c);
-    const M is_small = hn::And(hn::And(hn::Lt(a, large), hn::Lt(size_b, large)), hn::Lt(size_c, large));
-    const M is_ordinary = hn::And(is_small, hn::Gt(hn::Mul(hn::Min(a, most), large), hn::Set(d, Real(1))));
-    const M is_behind = hn::Gt(b, zero);
-    const V size_q = hn::Add(size_b, hn::Sqrt(discriminant)), q = hn::IfThenElse(is_behind, hn::Neg(size_q), size_q);
-    const V one = hn::Div(q, a), other = hn::Div(c, q);
-    Roots roots;
-    roots.t[0] = hn::Min(one, other), roots.t[1] = hn::Max(one, other);
-    roots.are_two = hn::And(is_ordinary, hn::Gt(discriminant, zero));
-    roots.are_none = hn::And(is_ordinary, hn::Lt(discriminant, zero));
-    return roots;
+    return Roots(along, away, {load(rows.square), load(rows.error_a), load(rows.error_b), load(rows.error_c)});
   }
 
   const ConvexLanes& lanes_;

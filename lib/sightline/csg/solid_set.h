@@ -1,6 +1,7 @@
 #pragma once
 /// Solids as primitives of the accelerators: each is one, however many parts it has.
 
+#include <bit>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -13,6 +14,8 @@
 
 #include "sightline/accel/accelerator.h"
 #include "sightline/csg/evaluator.h"
+#include "sightline/csg/packet_walk.h"
+#include "sightline/math/raw_array.h"
 #include "sightline/shape/shapes.h"
 
 namespace sightline {
@@ -134,19 +137,101 @@ class SolidLeaves {
   template <class T>
   bool has_crossing(PreparedRay<T>& ray, LeafRange leaf) const {
     for (const std::uint32_t id : order_.subspan(leaf.first, leaf.count)) {
-      const WalkOutcome outcome = walk_any(solids_[id], ray.ready(), ray.ray().t_min, ray.ray().t_max, probe_);
-      if (outcome == WalkOutcome::none) continue;
-      if (outcome == WalkOutcome::found) return true;
-      bool is_hit = false;
-      const auto see = [&](std::uint32_t, const Crossing& crossing) {
-        const T t = static_cast<T>(crossing.t);
-        is_hit = t <= ray.ray().t_max && t < std::numeric_limits<T>::infinity();
-        return false;
-      };
-      see_first(id, ray, ray.ray().t_max, see);
-      if (is_hit) return true;
+      if (crosses(id, ray)) return true;
     }
     return false;
+  }
+
+  /// Coherent rays, made ready when the first solid needs them: together, and those alone that are unclear together.
+  class PreparedPacket {
+   public:
+    PreparedPacket(const RayPacket<double>& packet, std::span<const Ray<double>> rays, const Aabb& extent)
+        : packet_(packet), rays_(rays), extent_(extent) {}
+
+    const Ray<double>& ray(std::size_t i) const { return rays_[i]; }
+    const RayPacket<double>::Lanes& limits() const { return packet_.farthest(); }
+    const SolidPacket<level>& together() {
+      if (!together_) together_.emplace(packet_);
+      return *together_;
+    }
+    PreparedRay<double>& alone(std::size_t i) {
+      if (!(made_ >> i & 1)) alone_.make(i, rays_[i], extent_), made_ |= 1u << i;
+      return alone_[i];
+    }
+
+   private:
+    const RayPacket<double>& packet_;
+    std::span<const Ray<double>> rays_;
+    const Aabb& extent_;
+    std::optional<SolidPacket<level>> together_;
+    std::uint32_t made_ = 0;  ///< Bits of those that are.
+    RawArray<PreparedRay<double>, RayPacket<double>::size> alone_;
+  };
+
+  PreparedPacket prepare(const RayPacket<double>& packet, std::span<const Ray<double>> rays) const {
+    return PreparedPacket(packet, rays, solids_.extent());
+  }
+
+  /// Calls see(place of the ray, id, crossing) for the rays of `met`, a bit each: of each ray and solid at most the
+  /// first crossing in the ray's range, if it is not beyond the ray's limit. `see` may lower that.
+  template <class See>
+  void for_first_crossings(PreparedPacket& rays, LeafRange leaf, std::uint32_t met,
+                           const RayPacket<double>::Lanes& limits, See&& see) const {
+    for (const std::uint32_t id : order_.subspan(leaf.first, leaf.count)) {
+      std::uint32_t unclear = met;
+      if (const ConvexLanes* lanes = lanes_of(id)) {
+        PacketWalk<level> walk(*lanes, rays.together());
+        walk.template run<true>(met, slackened(limits));
+        unclear = walk.unclear;
+        count(*lanes, walk.reached);
+        for (std::uint32_t rest = walk.found; rest != 0; rest &= rest - 1) {
+          const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+          Boundary boundary = walk.boundary(i);
+          if (!(std::fabs(boundary.t - limits[i]) > 3 * boundary.radius)) {
+            unclear |= 1u << i;
+            continue;
+          }
+          if (boundary.t > limits[i]) continue;
+          if (!is_accurate(boundary.t, boundary.radius, level))
+            boundary = refined_boundary(solids_[id], boundary, rays.alone(i).ready().quick());
+          if (boundary.t > rays.ray(i).t_min)
+            see(i, id, crossing_of(boundary));
+          else
+            unclear |= 1u << i;
+        }
+      }
+      for (; unclear != 0; unclear &= unclear - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(unclear));
+        const auto see_it = [&](std::uint32_t, const Crossing& crossing) {
+          see(i, id, crossing);
+          return true;
+        };
+        see_first(id, rays.alone(i), limits[i], see_it);
+      }
+    }
+  }
+
+  /// Those rays of `met` with a crossing of any solid in their range.
+  std::uint32_t having_crossing(PreparedPacket& rays, LeafRange leaf, std::uint32_t met) const {
+    std::uint32_t found = 0;
+    for (std::size_t k = 0; k < leaf.count && met != 0; ++k) {
+      const std::uint32_t id = order_[leaf.first + k];
+      std::uint32_t unclear = met, surely = 0;
+      if (const ConvexLanes* lanes = lanes_of(id)) {
+        PacketWalk<level> walk(*lanes, rays.together());
+        walk.template run<false>(met, slackened(rays.limits()));
+        surely = walk.surely_within(rays.limits());
+        unclear = walk.unclear | (walk.found & ~surely);
+        count(*lanes, walk.reached);
+      }
+      for (; unclear != 0; unclear &= unclear - 1) {
+        const int i = std::countr_zero(unclear);
+        surely |= std::uint32_t{crosses(id, rays.alone(static_cast<std::size_t>(i)))} << i;
+      }
+      found |= surely;
+      met &= ~surely;
+    }
+    return found;
   }
 
   /// The same for all crossings.
@@ -162,6 +247,40 @@ class SolidLeaves {
   }
 
  private:
+  /// Null where rays are not to go through the solid together.
+  const ConvexLanes* lanes_of(std::uint32_t id) const {
+    if (!has_lane_roots<level> || Probe::sees_transitions) return nullptr;
+    const ConvexParts* parts = solids_[id].convex_parts();
+    return parts ? parts->lanes.get() : nullptr;
+  }
+  static RayPacket<double>::Lanes slackened(const RayPacket<double>::Lanes& limits) {
+    RayPacket<double>::Lanes slackened;
+    for (std::size_t i = 0; i < limits.size(); ++i) slackened[i] = limits[i] + limit_slack<level>(limits[i]);
+    return slackened;
+  }
+  /// As many solvings of each primitive as rays that were tested with them.
+  void count(const ConvexLanes& lanes, std::uint32_t reached) const {
+    if constexpr (std::is_same_v<Probe, NoSolidProbe>) return;
+    for (; reached != 0; reached &= reached - 1) {
+      for (std::uint32_t lane = 0; lane < lanes.count(); ++lane) probe_.primitive(lanes[lane].primitive);
+    }
+  }
+
+  /// Whether the solid has a crossing in the ray's range.
+  template <class T>
+  bool crosses(std::uint32_t id, PreparedRay<T>& ray) const {
+    const WalkOutcome outcome = walk_any(solids_[id], ray.ready(), ray.ray().t_min, ray.ray().t_max, probe_);
+    if (outcome != WalkOutcome::unclear) return outcome == WalkOutcome::found;
+    bool is_hit = false;
+    const auto see = [&](std::uint32_t, const Crossing& crossing) {
+      const T t = static_cast<T>(crossing.t);
+      is_hit = t <= ray.ray().t_max && t < std::numeric_limits<T>::infinity();
+      return false;
+    };
+    see_first(id, ray, ray.ray().t_max, see);
+    return is_hit;
+  }
+
   template <class T, class See>
   bool see_first(std::uint32_t id, PreparedRay<T>& ray, T far, See& see) const {
     const SolidRay<level>& ready = ray.ready();

@@ -44,11 +44,15 @@ HWY_INLINE hn::Vec<D> look_up_two(D d, const hn::TFromD<D>* table, VI index) {
 #if HWY_TARGET <= HWY_AVX3
   const auto low = hn::Load(d, table).raw, high = hn::Load(d, table + hn::MaxLanes(d)).raw;
   if constexpr (sizeof(low) == 32) {
-    if constexpr (sizeof(hn::TFromD<D>) == 4) return hn::Vec<D>{_mm256_permutex2var_ps(low, index.raw, high)};
-    else return hn::Vec<D>{_mm256_permutex2var_pd(low, index.raw, high)};
+    if constexpr (sizeof(hn::TFromD<D>) == 4)
+      return hn::Vec<D>{_mm256_permutex2var_ps(low, index.raw, high)};
+    else
+      return hn::Vec<D>{_mm256_permutex2var_pd(low, index.raw, high)};
   } else {
-    if constexpr (sizeof(hn::TFromD<D>) == 4) return hn::Vec<D>{_mm512_permutex2var_ps(low, index.raw, high)};
-    else return hn::Vec<D>{_mm512_permutex2var_pd(low, index.raw, high)};
+    if constexpr (sizeof(hn::TFromD<D>) == 4)
+      return hn::Vec<D>{_mm512_permutex2var_ps(low, index.raw, high)};
+    else
+      return hn::Vec<D>{_mm512_permutex2var_pd(low, index.raw, high)};
   }
 #endif
 }
@@ -59,6 +63,12 @@ inline void prefetch(const void* begin, std::size_t bytes) {
   const char* const at = static_cast<const char*>(begin);
   for (std::size_t offset = 0; offset < bytes; offset += line) hwy::Prefetch(at + offset);
   hwy::Prefetch(at + bytes - 1);
+}
+
+/// The mask of no lane.
+template <class D>
+hn::Mask<D> no_lanes(D d) {
+  return hn::Ne(hn::Zero(d), hn::Zero(d));
 }
 
 /// One bit a lane, of at most sixteen lanes.

@@ -116,7 +116,8 @@ double NoiseField::lost_amplitude(double footprint) const {
 template <int dims, class T, bool has_gradient>
 class NoiseField::Block {
  public:
-  Block(const NoiseField& field, std::span<const glm::vec<dims, T>> points, T footprint)
+  /// With one footprint for all points, or one for each.
+  Block(const NoiseField& field, std::span<const glm::vec<dims, T>> points, std::span<const T> footprints)
       : field_(field), count_(points.size()) {
     for (std::size_t i = 0; i < count_; ++i) {
       for (std::size_t a = 0; a < axes; ++a) points_[a][i] = points[i][static_cast<int>(a)];
@@ -124,7 +125,12 @@ class NoiseField::Block {
     if (!field.warps_.empty()) bend();
     for (auto& list : sums_) std::fill_n(list.begin(), count_, T(0));
     const double mean = field.means_[axes - 2];
-    for (const Octave& octave : field.octaves_) add(octave, field.weight_of(octave, footprint), mean);
+    for (const Octave& octave : field.octaves_) {
+      if (footprints.size() == 1)
+        add(octave, field.weight_of(octave, footprints[0]), mean);
+      else
+        add_each(octave, footprints, mean);
+    }
     if (has_gradient && !field.warps_.empty()) straighten();
   }
 
@@ -163,12 +169,32 @@ class NoiseField::Block {
       return;
     }
     ask(octave.noise, octave.frequency);
-    const T scale = static_cast<T>(octave.amplitude * weight), steepness = static_cast<T>(octave.frequency);
+    for (std::size_t i = 0; i < count_; ++i) add_at(i, octave, weight, rest);
+  }
+
+  /// By a weight of each point's own.
+  void add_each(const Octave& octave, std::span<const T> footprints, double mean) {
+    std::array<double, block_size> weights;
+    bool is_seen = false;
     for (std::size_t i = 0; i < count_; ++i) {
-      const Shaped<T> f = shaped(field_.options_.fractal, found_[0][i]);
-      sums_[0][i] += scale * f.value + rest;
-      for (std::size_t k = 1; k < results; ++k) sums_[k][i] += scale * f.slope * steepness * found_[k][i];
+      weights[i] = field_.weight_of(octave, footprints[i]);
+      is_seen |= weights[i] > 0;
     }
+    if (is_seen) ask(octave.noise, octave.frequency);
+    for (std::size_t i = 0; i < count_; ++i) {
+      const T rest = static_cast<T>(octave.amplitude * (1 - weights[i]) * mean);
+      if (weights[i] > 0)
+        add_at(i, octave, weights[i], rest);
+      else
+        sums_[0][i] += rest;
+    }
+  }
+
+  void add_at(std::size_t i, const Octave& octave, double weight, T rest) {
+    const T scale = static_cast<T>(octave.amplitude * weight), steepness = static_cast<T>(octave.frequency);
+    const Shaped<T> f = shaped(field_.options_.fractal, found_[0][i]);
+    sums_[0][i] += scale * f.value + rest;
+    for (std::size_t k = 1; k < results; ++k) sums_[k][i] += scale * f.slope * steepness * found_[k][i];
   }
 
   /// Moves points by noise, each coordinate by its own, and remembers the derivatives of where they go.
@@ -204,28 +230,30 @@ class NoiseField::Block {
 };
 
 template <bool has_gradient, int dims, class T, class Take>
-void NoiseField::for_blocks(std::span<const glm::vec<dims, T>> points, T footprint, const Take& take) const {
+void NoiseField::for_blocks(std::span<const glm::vec<dims, T>> points, std::span<const T> footprints,
+                            const Take& take) const {
   for (std::size_t first = 0; first < points.size(); first += block_size) {
     const std::size_t count = std::min(block_size, points.size() - first);
-    const Block<dims, T, has_gradient> block(*this, points.subspan(first, count), footprint);
+    const std::span<const T> of_block = footprints.size() == 1 ? footprints : footprints.subspan(first, count);
+    const Block<dims, T, has_gradient> block(*this, points.subspan(first, count), of_block);
     for (std::size_t i = 0; i < count; ++i) take(first + i, block, i);
   }
 }
 
 template <int dims, class T>
 T NoiseField::operator()(const glm::vec<dims, T>& p, T footprint) const {
-  return Block<dims, T, false>(*this, {&p, 1}, footprint).value(0);
+  return Block<dims, T, false>(*this, {&p, 1}, {&footprint, 1}).value(0);
 }
 
 template <int dims, class T>
 NoiseSample<T, dims> NoiseField::sample(const glm::vec<dims, T>& p, T footprint) const {
-  return Block<dims, T, true>(*this, {&p, 1}, footprint).sample(0);
+  return Block<dims, T, true>(*this, {&p, 1}, {&footprint, 1}).sample(0);
 }
 
 template <int dims, class T>
 void NoiseField::values(std::span<const glm::vec<dims, T>> points, std::span<T> values, T footprint) const {
   require_as_many(points.size(), values.size());
-  for_blocks<false>(points, footprint,
+  for_blocks<false>(points, std::span<const T>(&footprint, 1),
                     [&](std::size_t at, const auto& block, std::size_t i) { values[at] = block.value(i); });
 }
 
@@ -233,7 +261,16 @@ template <int dims, class T>
 void NoiseField::samples(std::span<const glm::vec<dims, T>> points, std::span<NoiseSample<T, dims>> samples,
                          T footprint) const {
   require_as_many(points.size(), samples.size());
-  for_blocks<true>(points, footprint,
+  for_blocks<true>(points, std::span<const T>(&footprint, 1),
+                   [&](std::size_t at, const auto& block, std::size_t i) { samples[at] = block.sample(i); });
+}
+
+template <int dims, class T>
+void NoiseField::samples(std::span<const glm::vec<dims, T>> points, std::span<const T> footprints,
+                         std::span<NoiseSample<T, dims>> samples) const {
+  require_as_many(points.size(), samples.size());
+  require_as_many(points.size(), footprints.size());
+  for_blocks<true>(points, footprints,
                    [&](std::size_t at, const auto& block, std::size_t i) { samples[at] = block.sample(i); });
 }
 
@@ -253,5 +290,7 @@ template double NoiseField::operator()(const glm::dvec3&, double) const;
 template NoiseSample<double, 3> NoiseField::sample(const glm::dvec3&, double) const;
 template void NoiseField::values(std::span<const glm::dvec3>, std::span<double>, double) const;
 template void NoiseField::samples(std::span<const glm::dvec3>, std::span<NoiseSample<double, 3>>, double) const;
+template void NoiseField::samples(std::span<const glm::dvec3>, std::span<const double>,
+                                  std::span<NoiseSample<double, 3>>) const;
 
 }  // namespace sightline

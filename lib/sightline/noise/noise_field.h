@@ -49,6 +49,10 @@ class NoiseField {
   template <int dims, class T>
   void samples(std::span<const glm::vec<dims, T>> points, std::span<NoiseSample<T, dims>> samples,
                T footprint = 0) const;
+  /// The same, with a footprint for each point.
+  template <int dims, class T>
+  void samples(std::span<const glm::vec<dims, T>> points, std::span<const T> footprints,
+               std::span<NoiseSample<T, dims>> samples) const;
 
  private:
   struct Octave {
@@ -58,8 +62,9 @@ class NoiseField {
 
   template <int dims, class T, bool has_gradient>
   class Block;
+  /// `footprints` has one for all points, or one for each.
   template <bool has_gradient, int dims, class T, class Take>
-  void for_blocks(std::span<const glm::vec<dims, T>> points, T footprint, const Take& take) const;
+  void for_blocks(std::span<const glm::vec<dims, T>> points, std::span<const T> footprints, const Take& take) const;
 
   /// 1 where nothing of an octave is too fine, 0 where all is.
   double weight_of(const Octave& octave, double footprint) const;

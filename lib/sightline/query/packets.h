@@ -2,9 +2,10 @@
 /// Coherent rays, sixteen at a time: what they have in common is done once for all of them.
 ///
 /// Neighbours meet the same nodes. A structure is asked once for the leaves that any ray of a packet meets
-/// (ray_packet.h); each ray is then tested with those that it meets itself. The hits are those of single rays, bit for
-/// bit: what a ray is tested with besides it does not meet, or is beyond its hit. That takes intersectors that keep M1
-/// (padded_ray.h) for the precision of the rays; solids of level fast keep it for rays of float.
+/// (ray_packet.h); each ray is then tested with those that it meets itself, or all that meet a leaf together where the
+/// leaves can do that. The hits are those of single rays, bit for bit: what a ray is tested with besides it does not
+/// meet, or is beyond its hit. That takes intersectors that keep M1 (padded_ray.h) for the precision of the rays;
+/// solids of level fast keep it for rays of float.
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "sightline/accel/ray_packet.h"
@@ -30,6 +32,12 @@ concept PacketAccelerator = Accelerator<A> && requires(const A& a, const RayPack
 template <class L>
 concept BoundedLeaves = requires(const L& leaves, LeafRange leaf) {
   { leaves.bounds(leaf) } -> std::same_as<Aabb>;
+};
+
+/// Leaves that test the rays of a packet together.
+template <class L, class T>
+concept PacketLeaves = requires(const L& leaves, const RayPacket<T>& packet, std::span<const Ray<T>> rays) {
+  leaves.prepare(packet, rays);
 };
 
 namespace detail {
@@ -53,7 +61,7 @@ class PacketQuery {
     return RayPacket<T>::greatest(limits_);
   }
 
-  const Query& operator[](std::size_t ray) const { return queries_[ray]; }
+  typename Query::Result result(std::size_t ray) const { return queries_[ray].result(); }
 
  private:
   /// Places beyond the last ray are never open.
@@ -82,26 +90,95 @@ class PacketQuery {
   std::array<Query, RayPacket<T>::size> queries_;
 };
 
-/// Calls finish(index of the ray, its query) for every ray, in order.
-template <class Query, class T, class Leaves, class Accel, class Probe, class Finish>
-void trace_packets(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> rays, Probe& probe,
-                   Finish&& finish) {
+/// The same where leaves take all rays at once. What is found goes to `results` at once, or when the query ends.
+template <class Query, class T, class Leaves>
+class TogetherQuery {
+ public:
+  static constexpr bool takes_any_order = Query::takes_any_order;
+  using Result = std::conditional_t<takes_any_order, std::uint8_t, Hit<T>>;
+
+  TogetherQuery(const Leaves& leaves, const RayPacket<T>& packet, std::span<const Ray<T>> rays,
+                std::span<Result> results)
+      : leaves_(leaves),
+        packet_(packet),
+        rays_(rays),
+        results_(results),
+        open_((1u << rays.size()) - 1),
+        prepared_(leaves.prepare(packet, rays)),
+        limits_(packet.farthest()) {
+    for (std::size_t i = rays.size(); i < RayPacket<T>::size; ++i) limits_[i] = -std::numeric_limits<T>::infinity();
+    if constexpr (!takes_any_order) std::fill(results.begin(), results.end(), Result{});
+  }
+  ~TogetherQuery() {
+    if constexpr (takes_any_order) {
+      for (std::size_t i = 0; i < results_.size(); ++i) results_[i] = found_ >> i & 1;
+    }
+  }
+  TogetherQuery(const TogetherQuery&) = delete;
+  TogetherQuery& operator=(const TogetherQuery&) = delete;
+
+  /// Returns the far limit: the last one of all rays.
+  T operator()(LeafRange leaf) {
+    const std::uint32_t met = open_ & packet_.meeting(leaves_.bounds(leaf), limits_);
+    if (met != 0) test(leaf, met);
+    return RayPacket<T>::greatest(limits_);
+  }
+
+ private:
+  void test(LeafRange leaf, std::uint32_t met) {
+    if constexpr (takes_any_order) {
+      const std::uint32_t found = leaves_.having_crossing(prepared_, leaf, met);
+      found_ |= found;
+      for (std::uint32_t rest = found; rest != 0; rest &= rest - 1) {
+        limits_[static_cast<std::size_t>(std::countr_zero(rest))] = -std::numeric_limits<T>::infinity();
+      }
+      open_ &= ~found;
+    } else {
+      leaves_.for_first_crossings(prepared_, leaf, met, limits_,
+                                  [&](std::size_t i, std::uint32_t id, const Crossing& crossing) {
+                                    keep_closer(rays_[i], id, crossing, results_[i]);
+                                    limits_[i] = std::min(results_[i].t, rays_[i].t_max);
+                                  });
+    }
+  }
+
+  const Leaves& leaves_;
+  const RayPacket<T>& packet_;
+  std::span<const Ray<T>> rays_;
+  std::span<Result> results_;
+  std::uint32_t open_;  ///< A bit for each ray that may find something nearer.
+  std::uint32_t found_ = 0;
+  decltype(std::declval<const Leaves&>().prepare(std::declval<const RayPacket<T>&>(),
+                                                 std::declval<std::span<const Ray<T>>>())) prepared_;
+  typename RayPacket<T>::Lanes limits_;
+};
+
+/// Writes what its query finds of every ray.
+template <class Query, class T, class Leaves, class Accel, class Probe, class Result>
+void trace_packets(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> rays, std::span<Result> results,
+                   Probe& probe) {
   constexpr std::size_t size = RayPacket<T>::size;
   for (std::size_t first = 0; first < rays.size(); first += size) {
     const std::span<const Ray<T>> part = rays.subspan(first, std::min(size, rays.size() - first));
+    const std::span<Result> into = results.subspan(first, part.size());
     if constexpr (PacketAccelerator<Accel, T>) {
       const RayPacket<T> packet(part, accel.bounds());
       if (packet.is_coherent()) {
-        PacketQuery<Query, T, Leaves> queries(leaves, packet, part);
-        accel.traverse(packet, queries, probe);
-        for (std::size_t i = 0; i < part.size(); ++i) finish(first + i, queries[i]);
+        if constexpr (PacketLeaves<Leaves, T>) {
+          TogetherQuery<Query, T, Leaves> queries(leaves, packet, part, into);
+          accel.traverse(packet, queries, probe);
+        } else {
+          PacketQuery<Query, T, Leaves> queries(leaves, packet, part);
+          accel.traverse(packet, queries, probe);
+          for (std::size_t i = 0; i < part.size(); ++i) into[i] = queries.result(i);
+        }
         continue;
       }
     }
     for (std::size_t i = 0; i < part.size(); ++i) {
       Query query(leaves, part[i]);
       accel.traverse(part[i], QueryVisitor{query, leaves}, probe);
-      finish(first + i, query);
+      into[i] = query.result();
     }
   }
 }
@@ -113,16 +190,14 @@ void trace_packets(const Accel& accel, const Leaves& leaves, std::span<const Ray
 template <class T, class Leaves, class Accel, class Probe>
 void packet_closest_hits(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> rays, std::span<Hit<T>> hits,
                          Probe& probe) {
-  detail::trace_packets<ClosestQuery<T, Leaves>>(accel, leaves, rays, probe,
-                                                 [&](std::size_t i, const auto& query) { hits[i] = query.best; });
+  detail::trace_packets<ClosestQuery<T, Leaves>>(accel, leaves, rays, hits, probe);
 }
 
 /// is_hit[i] becomes what any_hit finds for rays[i], likewise.
 template <class T, class Leaves, class Accel, class Probe>
 void packet_any_hits(const Accel& accel, const Leaves& leaves, std::span<const Ray<T>> rays,
                      std::span<std::uint8_t> is_hit, Probe& probe) {
-  detail::trace_packets<AnyQuery<T, Leaves>>(accel, leaves, rays, probe,
-                                             [&](std::size_t i, const auto& query) { is_hit[i] = query.is_found; });
+  detail::trace_packets<AnyQuery<T, Leaves>>(accel, leaves, rays, is_hit, probe);
 }
 
 }  // namespace sightline

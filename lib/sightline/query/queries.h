@@ -48,6 +48,16 @@ Hit<T> hit_of(T t, std::uint32_t id, const Crossing& crossing) {
   return {t, id, static_cast<T>(crossing.u), static_cast<T>(crossing.v)};
 }
 
+/// Takes a crossing of the ray for the best hit where it is nearer.
+template <class T>
+[[gnu::always_inline]] inline void keep_closer(const Ray<T>& ray, std::uint32_t id, const Crossing& crossing,
+                                               Hit<T>& best) {
+  const T t = parameter<T>(crossing);
+  if (!(t <= best.t) || !is_in_range(ray, t)) return;
+  const Hit<T> hit = hit_of(t, id, crossing);
+  if (is_closer(hit, best)) best = hit;
+}
+
 }  // namespace detail
 
 /// Leaves that can be brought near before they are tested.
@@ -59,6 +69,7 @@ concept FetchingLeaves = requires(const L& leaves, LeafRange leaf) {
 /// What a ray looks for and has found so far, told of one leaf after the other.
 template <class T, class Leaves>
 struct ClosestQuery {
+  using Result = Hit<T>;
   static constexpr bool takes_any_order = false;
 
   const Ray<T>& ray;
@@ -71,19 +82,17 @@ struct ClosestQuery {
   [[gnu::always_inline]] T visit(const Leaves& leaves, LeafRange leaf) {
     detail::for_first_crossings(leaves, prepared, leaf, std::min(best.t, ray.t_max),
                                 [&](std::uint32_t id, const Crossing& crossing) {
-                                  const T t = detail::parameter<T>(crossing);
-                                  if (t <= best.t && detail::is_in_range(ray, t)) {
-                                    const Hit<T> hit = detail::hit_of(t, id, crossing);
-                                    if (is_closer(hit, best)) best = hit;
-                                  }
+                                  detail::keep_closer(ray, id, crossing, best);
                                   return true;
                                 });
     return std::min(best.t, ray.t_max);
   }
+  const Result& result() const { return best; }
 };
 
 template <class T, class Leaves>
 struct AnyQuery {
+  using Result = bool;
   static constexpr bool takes_any_order = true;
 
   const Ray<T>& ray;
@@ -103,6 +112,7 @@ struct AnyQuery {
     }
     return is_found ? -std::numeric_limits<T>::infinity() : ray.t_max;
   }
+  Result result() const { return is_found; }
 };
 
 /// Tells a query of the leaves that a traversal comes to.

@@ -1,7 +1,7 @@
 #pragma once
 /// From rays to light: one integrator, of which only those parts are compiled that a set of effects needs.
 ///
-/// Rays of a tile travel in waves: all camera rays of up to 128 pixels at once, then all that these ask for, one wave a
+/// Rays of a tile travel in waves: all camera rays of some pixels at once, then all that these ask for, one wave a
 /// kind of ray, until none is left. So structures get neighbouring rays together, each wave's time and number belong to
 /// one effect, and what no effect asks for is no instruction.
 ///   I1  What a sample adds to its pixel depends on its pixel, its number and the scene: not on the tile, nor on which
@@ -108,8 +108,6 @@ class Integrator {
   void add_samples(TileBuffer& tile, std::span<const std::uint32_t> pixels, SampleRange range, FactsAsked facts);
 
  private:
-  static constexpr std::size_t wave_size = 128;
-
   /// Rays that go on, in the order in which their waves follow each other.
   enum Kind : std::size_t { mirrored, spread, passing, scattered, kind_count };
   static constexpr std::array<Effect, kind_count> effects_of_kinds{Effect::mirror, Effect::glossy, Effect::refraction,
@@ -133,6 +131,23 @@ class Integrator {
   /// Whether all that a path says is known from where it is seen.
   static constexpr bool is_slim = !has_more_rays && !has.has(Effect::fog);
   using AnyPath = std::conditional_t<is_slim, FirstPath, Path>;
+
+  /// Long enough that the few rays that go on make packets; where none does, what one packet needs stays nearest.
+  static constexpr std::size_t wave_size = is_slim ? 16 : 128;
+
+  /// What is known of a wave's hit before it is shaded, where functions of space are asked for colors together.
+  struct Painted {
+    SurfacePoint at;
+    Color color;
+  };
+  /// Points for one function of space.
+  struct Strokes {
+    const Texture* function = nullptr;
+    std::vector<Vec3d> points;
+    std::vector<Footprint> footprints;
+    std::vector<std::size_t> places;  ///< In the wave.
+    std::vector<Color> colors;
+  };
 
   /// A hit while it is shaded.
   struct Shade {
@@ -169,11 +184,15 @@ class Integrator {
     return has_bright_gloss && bright_ && material.is_glossy && path.depth < scene_.depth && scene_.fog.density == 0;
   }
 
+  // integrator_painting.h
+  void paint(const RayWave& wave);
+  void finish_strokes();
+
   // integrator_shading.h
   void shade_miss(const Ray<double>& ray, AnyPath& path, double density);
-  void shade(const Ray<double>& ray, AnyPath& path, const WorldHit& hit);
+  void shade(const Ray<double>& ray, AnyPath& path, std::size_t place);
   void in_fog(double length, Path& path, Color& light) const;
-  Color color_at(const Shade& shade, const AnyPath& path);
+  Color color_at(const Shade& shade, const AnyPath& path, std::size_t place);
   Vec3d normal_at(const Shade& shade, const AnyPath& path);
   Color share_out(Shade& shade, const Path& path);
   void shine(const Shade& shade, const AnyPath& path, const Color& diffuse);
@@ -203,6 +222,8 @@ class Integrator {
   std::array<LampsSeen, wave_size> known_{}, seen_{};  ///< By earlier samples, and by this one.
   bool is_trial_ = false;                              ///< Whether this one's rays are to tell later ones.
   std::vector<WorldHit> hits_;
+  std::vector<Painted> painted_;  ///< As hits_ are.
+  Strokes strokes_;
   std::vector<std::uint8_t> is_stopped_;
 };
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "sightline/render/integrator.h"
+#include "sightline/render/integrator_painting.h"
 #include "sightline/render/integrator_shading.h"
 
 namespace sightline {
@@ -151,9 +152,10 @@ void Integrator<has>::trace(RayWave& wave, StageTimes::Clock::duration* time) {
     moment_->world->closest_hits(wave.rays, hits_);
   }
   const StageClock clock(StageClock::shading(times_));
+  if constexpr (has.has(Effect::procedural_texture)) paint(wave);
   const auto follow_up = [&](std::size_t i, AnyPath& path) {
     if (hits_[i].is_hit()) {
-      shade(wave.rays[i], path, hits_[i]);
+      shade(wave.rays[i], path, i);
     } else if (scene_.has_sky || has.has(Effect::fog)) {
       shade_miss(wave.rays[i], path, wave.densities.empty() ? 0 : wave.densities[i]);
     }

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sightline/render/integrator.h"
 #include "sightline/render/integrator_lights.h"
+#include "sightline/render/integrator_painting.h"
 #include "sightline/texture/normal_map.h"
 
 namespace sightline {
@@ -39,11 +39,13 @@ void Integrator<has>::in_fog(double length, Path& path, Color& light) const {
 }
 
 template <Effects has>
-void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, const WorldHit& hit) {
+void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, std::size_t place) {
+  constexpr bool is_painted = has.has(Effect::procedural_texture);
+  const WorldHit& hit = hits_[place];
   const Surfaces& surfaces = *moment_->surfaces;
   const std::uint32_t number = surfaces.material(hit);
   const SurfaceMaterial& material = (*scene_.materials)[number];
-  Shade shade{material, number, hit, surfaces.locate(ray, hit)};
+  Shade shade{material, number, hit, is_painted ? painted_[place].at : surfaces.locate(ray, hit)};
   shade.to_viewer = -ray.direction;
   if constexpr (has_footprints) path.width += path.spread * static_cast<float>(hit.t);
   [[maybe_unused]] double length = 0;
@@ -72,7 +74,7 @@ void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, const WorldHi
     light += path.weight * material.values.emission;
     ++counters_[Effect::emission];
   }
-  shade.color = color_at(shade, path);
+  shade.color = color_at(shade, path, place);
   shade.normal = normal_at(shade, path);
 
   Color diffuse = material.is_diffuse ? shade.color : Color(0);
@@ -90,29 +92,19 @@ void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, const WorldHi
 }
 
 template <Effects has>
-Color Integrator<has>::color_at(const Shade& shade, const AnyPath& path) {
+Color Integrator<has>::color_at(const Shade& shade, const AnyPath& path, std::size_t place) {
   const SurfaceMaterial& material = shade.material;
   Color color = material.values.color;
-  // What a slanted surface shows of a cone is longer than wide: the mean of both.
-  [[maybe_unused]] const auto footprint = [&] {
-    const double cosine = std::fabs(glm::dot(shade.side, shade.to_viewer));
-    return scene_.has_footprints ? path.width / std::sqrt(std::max(cosine, 0x1p-4)) : 0.0;
-  };
   if constexpr (has.has(Effect::procedural_texture)) {
-    if (material.color_function) {
-      const StageClock clock(StageClock::of(times_, Effect::procedural_texture), StageClock::shading(times_));
-      const Surfaces& surfaces = *moment_->surfaces;
-      const Vec3d local = surfaces.local(shade.hit, shade.at);
-      color *= (*material.color_function)(local, surfaces.local_footprint(shade.hit, shade.at, footprint()));
-      ++counters_[Effect::procedural_texture];
-    }
+    if (material.color_function) color *= painted_[place].color;
   }
   if constexpr (has.has(Effect::image_texture)) {
     if (material.color_image) {
       const StageClock clock(StageClock::of(times_, Effect::image_texture), StageClock::shading(times_));
-      const Surfaces::ImagePlace place = moment_->surfaces->image_place(shade.hit, shade.at);
-      const double width = place.scale * footprint();
-      color *= (*material.color_image)(place.uv, {{width, 0}, {0, width}});
+      const Surfaces::ImagePlace at = moment_->surfaces->image_place(shade.hit, shade.at);
+      const double seen = scene_.has_footprints ? slanted_footprint(path.width, shade.side, shade.to_viewer) : 0;
+      const double width = at.scale * seen;
+      color *= (*material.color_image)(at.uv, {{width, 0}, {0, width}});
       ++counters_[Effect::image_texture];
     }
   }

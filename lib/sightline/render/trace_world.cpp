@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "sightline/math/raw_array.h"
+
 namespace sightline {
 namespace {
 
@@ -74,13 +76,13 @@ WorldHit TraceWorld::solid_hit(const Hit<double>& hit) const {
 
 void TraceWorld::find_meshes(std::span<const Ray<double>> rays, std::span<WorldHit> hits) const {
   if (flat_) {
-    std::array<Hit<double>, batch> found;
-    flat_->closest_hits(rays, std::span(found).first(rays.size()));
+    RawArray<Hit<double>, batch> found;
+    flat_->closest_hits(rays, found.first(rays.size()));
     for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = world_hit(found[i]);
     return;
   }
-  std::array<InstanceHit<double>, batch> found;
-  std::as_const(*placed_).closest_hits(rays, std::span(found).first(rays.size()));
+  RawArray<InstanceHit<double>, batch> found;
+  std::as_const(*placed_).closest_hits(rays, found.first(rays.size()));
   for (std::size_t i = 0; i < rays.size(); ++i) {
     hits[i] = {found[i].t, found[i].instance, found[i].prim_id, found[i].u, found[i].v};
   }
@@ -88,14 +90,13 @@ void TraceWorld::find_meshes(std::span<const Ray<double>> rays, std::span<WorldH
 
 /// `hits` are those of meshes: what solids have nearer takes their place.
 void TraceWorld::find_nearer_solids(std::span<const Ray<double>> rays, std::span<WorldHit> hits) const {
-  std::array<Ray<double>, batch> shortened;
-  std::array<Hit<double>, batch> found;
+  RawArray<Ray<double>, batch> shortened;
+  RawArray<Hit<double>, batch> found;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    shortened[i] = rays[i];
+    shortened.make(i, rays[i]);
     shortened[i].t_max = std::min(rays[i].t_max, hits[i].t);
   }
-  solids_->closest_hits(std::span<const Ray<double>>(shortened).first(rays.size()),
-                        std::span(found).first(rays.size()));
+  solids_->closest_hits(shortened.first(rays.size()), found.first(rays.size()));
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (found[i].t < hits[i].t) hits[i] = solid_hit(found[i]);  // W2
   }
@@ -109,8 +110,8 @@ void TraceWorld::closest_hits(std::span<const Ray<double>> rays, std::span<World
       find_meshes(part, into);
       if (solids_) find_nearer_solids(part, into);
     } else if (solids_) {
-      std::array<Hit<double>, batch> found;
-      solids_->closest_hits(part, std::span(found).first(part.size()));
+      RawArray<Hit<double>, batch> found;
+      solids_->closest_hits(part, found.first(part.size()));
       for (std::size_t i = 0; i < part.size(); ++i) into[i] = solid_hit(found[i]);
     } else {
       std::fill(into.begin(), into.end(), WorldHit{});

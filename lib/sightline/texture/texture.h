@@ -1,6 +1,7 @@
 #pragma once
 /// Textures by name: what tools list, set and draw.
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,6 +36,18 @@ class Texture {
 
   Color operator()(const Vec3d& p, const Footprint& footprint = {}) const {
     return std::visit([&](const auto& texture) { return texture(p, footprint); }, texture_);
+  }
+  /// At as many points as there are footprints and colors; equal to single ones to the last bit.
+  void colors(std::span<const Vec3d> points, std::span<const Footprint> footprints, std::span<Color> colors) const {
+    std::visit(
+        [&](const auto& texture) {
+          if constexpr (requires { texture.colors(points, footprints, colors); }) {
+            texture.colors(points, footprints, colors);
+          } else {
+            for (std::size_t i = 0; i < points.size(); ++i) colors[i] = texture(points[i], footprints[i]);
+          }
+        },
+        texture_);
   }
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "sightline/math/vec.h"
 #include "sightline/noise/noise_field.h"
@@ -19,6 +20,14 @@ class TextureNoise {
 
   double value(const Vec3d& p, double footprint = 0) const { return field_(p, footprint); }
   NoiseSample<double, 3> sample(const Vec3d& p, double footprint = 0) const { return field_.sample(p, footprint); }
+  /// At many points, each with its footprint; equal to single ones to the last bit.
+  void values(std::span<const Vec3d> points, std::span<double> values) const {
+    field_.values<3, double>(points, values);
+  }
+  void samples(std::span<const Vec3d> points, std::span<const double> footprints,
+               std::span<NoiseSample<double, 3>> samples) const {
+    field_.samples<3, double>(points, footprints, samples);
+  }
 
   /// Over all of space: the mean, and the standard deviation around it.
   double mean() const { return mean_; }

@@ -1,5 +1,6 @@
 #include "sightline/texture/wood.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -68,12 +69,39 @@ double Wood::value(const Vec3d& p, const Footprint& footprint) const {
   return sample(p, footprint).value;
 }
 
-NoiseSample<double, 3> Wood::sample(const Vec3d& p, const Footprint& footprint) const {
-  const NoiseSample<double, 3> noise = noise_.sample(p, footprint.width);
+NoiseSample<double, 3> Wood::mean(const Vec3d& p, const NoiseSample<double, 3>& noise,
+                                  const Footprint& footprint) const {
   const NoiseSample<double, 3> number = ring(p, noise.value, noise.gradient);
-  if (!(footprint.width > 0)) return number;
   const WaveMean mean = sawtooth_mean(number.value, span(number.gradient, footprint));
   return {mean.value, mean.slope * number.gradient};
+}
+
+NoiseSample<double, 3> Wood::sample(const Vec3d& p, const Footprint& footprint) const {
+  const NoiseSample<double, 3> noise = noise_.sample(p, footprint.width);
+  return footprint.width > 0 ? mean(p, noise, footprint) : ring(p, noise.value, noise.gradient);
+}
+
+void Wood::colors(std::span<const Vec3d> points, std::span<const Footprint> footprints, std::span<Color> colors) const {
+  const auto is_wide = [](const Footprint& footprint) { return footprint.width > 0; };
+  for (std::size_t first = 0; first < points.size(); first += block_size) {
+    const std::size_t count = std::min(block_size, points.size() - first);
+    const auto at = points.subspan(first, count);
+    const auto around = footprints.subspan(first, count);
+    const auto wide = static_cast<std::size_t>(std::count_if(around.begin(), around.end(), is_wide));
+    if (wide == 0) {
+      std::array<double, block_size> noise;
+      noise_.values(at, std::span(noise).first(count));
+      for (std::size_t i = 0; i < count; ++i) colors[first + i] = color(ring(at[i], noise[i], Vec3d(0)).value);
+    } else if (wide == count) {
+      std::array<double, block_size> widths;
+      std::array<NoiseSample<double, 3>, block_size> noise;
+      for (std::size_t i = 0; i < count; ++i) widths[i] = around[i].width;
+      noise_.samples(at, std::span(widths).first(count), std::span(noise).first(count));
+      for (std::size_t i = 0; i < count; ++i) colors[first + i] = color(mean(at[i], noise[i], around[i]).value);
+    } else {
+      for (std::size_t i = 0; i < count; ++i) colors[first + i] = (*this)(at[i], around[i]);
+    }
+  }
 }
 
 }  // namespace sightline

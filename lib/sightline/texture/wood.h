@@ -49,11 +49,16 @@ class Wood {
   /// a span at the points around.
   NoiseSample<double, 3> sample(const Vec3d& p, const Footprint& footprint = {}) const;
 
-  Color operator()(const Vec3d& p, const Footprint& footprint = {}) const {
-    return options_.early + static_cast<float>(value(p, footprint)) * (options_.late - options_.early);
-  }
+  Color operator()(const Vec3d& p, const Footprint& footprint = {}) const { return color(value(p, footprint)); }
+  /// At as many points as there are footprints and colors; equal to single ones to the last bit.
+  void colors(std::span<const Vec3d> points, std::span<const Footprint> footprints, std::span<Color> colors) const;
 
  private:
+  static constexpr std::size_t block_size = 64;
+
+  Color color(double f) const { return options_.early + static_cast<float>(f) * (options_.late - options_.early); }
+  /// Of a footprint with a width.
+  NoiseSample<double, 3> mean(const Vec3d& p, const NoiseSample<double, 3>& noise, const Footprint& footprint) const;
   /// Where a point is among the rings: its number mod 1, and its derivative.
   NoiseSample<double, 3> ring(const Vec3d& p, double noise, const Vec3d& noise_gradient) const;
   /// How many rings a footprint spans.
