@@ -53,6 +53,12 @@ std::optional<Estimate> estimate_of_present(std::vector<double> samples) {
   return estimate(std::move(samples));
 }
 
+std::optional<Estimate> paired_ratio(const std::vector<double>& over, const std::vector<double>& under) {
+  std::vector<double> ratios(over.size());
+  for (std::size_t i = 0; i < over.size(); ++i) ratios[i] = over[i] / under[i];
+  return estimate_of_present(std::move(ratios));
+}
+
 std::vector<double> geometric_means(const std::vector<std::vector<double>>& series) {
   std::size_t longest = 0;
   for (const auto& samples : series) longest = std::max(longest, samples.size());

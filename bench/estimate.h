@@ -25,6 +25,9 @@ Estimate estimate(std::vector<double> samples);
 /// The same of those that are not NaN; nothing without any.
 std::optional<Estimate> estimate_of_present(std::vector<double> samples);
 
+/// How much longer one took than the other, each by index in the same round; nothing where they never met (NaN).
+std::optional<Estimate> paired_ratio(const std::vector<double>& over, const std::vector<double>& under);
+
 /// By index, the geometric mean of what the series have there: NaN where one of them has NaN or ends earlier. One row
 /// of independent samples from each series is one sample of the mean, so estimate() holds for the result. Of positive
 /// numbers; empty without series.

@@ -1,11 +1,13 @@
 #pragma once
-/// What the command lines of `solids`, `torus`, `noise` and `instances` share.
+/// What the commands beside the main one share.
 
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "bench/machine.h"
+#include "sightline/io/output_file.h"
+#include "sightline/io/progress.h"
 #include "sightline/math/level.h"
 
 namespace CLI {
@@ -33,5 +35,45 @@ void require_known(const std::string& what, const std::string& name, const std::
 
 /// On standard output, at once. \throws std::runtime_error
 void print(const std::string& text);
+
+/// Prints the head of a report before its first table, and the tables as they come.
+class TablePrinter {
+ public:
+  template <class Report>
+  void show(const Report& so_far, const std::string& table) {
+    if (is_first_) print(head_text(so_far));
+    is_first_ = false;
+    print('\n' + table);
+  }
+
+ private:
+  bool is_first_ = true;
+};
+
+/// A command whose line was read into a plan: prints the help, where there is any, and does nothing else. Otherwise
+/// run(progress) measures and prints, and the report that it returns is written, where the plan names a file for it.
+/// Returns the exit status. \throws what run() does, and what writing does.
+template <class Plan, class Run>
+int run_command(const std::string& help, const Plan& plan, const Run& run) {
+  if (!help.empty()) {
+    print(help);
+    return 0;
+  }
+  check_json(plan.json);
+  Progress progress;
+  const auto report = run(progress);
+  if (!plan.json.empty()) write_text(plan.json, json_text(report));
+  return 0;
+}
+
+/// The same for a report that is printed as one text: measure(plan, progress) returns it.
+template <class Plan, class Measure>
+int run_and_print(const std::string& help, const Plan& plan, const Measure& measure) {
+  return run_command(help, plan, [&](Progress& progress) {
+    auto report = measure(plan, progress);
+    print(text_of(report));
+    return report;
+  });
+}
 
 }  // namespace sightline::bench

@@ -1,6 +1,7 @@
 /// sightline-scenes: what scenes there are, what is in one, and one as glTF.
 
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 
 #include "sightline/io/progress.h"
@@ -59,8 +60,8 @@ int tell_of_all(const Request& request) {
   for (const Entry& entry : entries(SIGHTLINE_DATA_DIR)) {
     try {
       progress.say("reading scenes", entry.spec);
-      const Scene scene = make_scene(entry.spec, SIGHTLINE_DATA_DIR);
-      const Facts facts = facts_of(scene);
+      const auto scene = std::make_shared<const Scene>(make_scene(entry.spec, SIGHTLINE_DATA_DIR));
+      const Facts facts = facts_of(*scene);
       Shown each{entry.spec, entry.description, row(entry, facts).substr(entry.spec.size()), {}};
       if (!request.out.empty()) {
         each.picture = thumbnail(scene, request.width, request.height);
@@ -68,7 +69,7 @@ int tell_of_all(const Request& request) {
       }
       progress.clear();
       std::cout << row(entry, facts) << std::endl;
-      say_warnings(entry.spec, scene.warnings);
+      say_warnings(entry.spec, scene->warnings);
     } catch (const std::exception& error) {
       progress.clear();
       std::cerr << "sightline-scenes: " << error.what() << '\n';
@@ -83,15 +84,15 @@ int tell_of_all(const Request& request) {
 }
 
 int tell_of_one(const Request& request) {
-  const Scene scene = make_scene(request.scene, SIGHTLINE_DATA_DIR);
-  say_warnings(request.scene, scene.warnings);
-  describe(scene, std::cout);
+  const auto scene = std::make_shared<const Scene>(make_scene(request.scene, SIGHTLINE_DATA_DIR));
+  say_warnings(request.scene, scene->warnings);
+  describe(*scene, std::cout);
   if (!request.out.empty()) {
-    write_page(request.out, {{request.scene, scene.name, "", thumbnail(scene, request.width, request.height)}});
+    write_page(request.out, {{request.scene, scene->name, "", thumbnail(scene, request.width, request.height)}});
     std::cerr << "sightline-scenes: wrote " << request.out << "/index.html\n";
   }
   if (!request.file.empty()) {
-    say_warnings(request.file, write_gltf(request.file, scene));
+    say_warnings(request.file, write_gltf(request.file, *scene));
     std::cerr << "sightline-scenes: wrote " << request.file << '\n';
   }
   return success;

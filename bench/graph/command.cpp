@@ -3,7 +3,6 @@
 #include "bench/command_line.h"
 #include "bench/graph/run.h"
 #include "bench/subcommand.h"
-#include "sightline/io/output_file.h"
 
 namespace sightline::bench {
 namespace {
@@ -40,22 +39,13 @@ int run_graph_command(int argc, const char* const* argv) {
   app.add_option("--json", plan.json, "Writes everything that was measured into FILE")->type_name("FILE");
   app.add_flag("--self-check", plan.is_spoiled, "Takes hits for misses: the run has to refuse");
   const std::string help = parse_or_help(app, argc, argv, reading_text);
-  if (!help.empty()) {
-    print(help);
-    return 0;
-  }
   if (is_quick) {
     plan.depths = {1, 16, 256};
     plan.sizes = {1'000, 10'000};
     plan.slot_seconds = 0.002;
     if (rounds->count() == 0) plan.rounds = 3;
   }
-  check_json(plan.json);
-  Progress progress;
-  const GraphReport report = run_graph(plan, progress);
-  print(text_of(report));
-  if (!plan.json.empty()) write_text(plan.json, json_text(report));
-  return 0;
+  return run_and_print(help, plan, run_graph);
 }
 
 }  // namespace sightline::bench

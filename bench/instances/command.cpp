@@ -4,7 +4,6 @@
 #include "bench/command_line.h"
 #include "bench/instances/run.h"
 #include "bench/subcommand.h"
-#include "sightline/io/output_file.h"
 
 namespace sightline::bench {
 namespace {
@@ -82,7 +81,6 @@ std::string parse(int argc, const char* const* argv, InstancePlan& plan) {
     for (const AcceleratorSpec& spec : plan.uppers) names.push_back(spec.label);
     require_known("line", plan.spoiled, names);
   }
-  check_json(plan.json);
   return {};
 }
 
@@ -91,19 +89,11 @@ std::string parse(int argc, const char* const* argv, InstancePlan& plan) {
 int run_instances_command(int argc, const char* const* argv) {
   InstancePlan plan;
   const std::string help = parse(argc, argv, plan);
-  if (!help.empty()) {
-    print(help);
-    return 0;
-  }
-  Progress progress;
   try {
-    const InstanceReport report = run_instances(plan, progress);
-    print(text_of(report));
-    if (!plan.json.empty()) write_text(plan.json, json_text(report));
+    return run_and_print(help, plan, run_instances);
   } catch (const std::invalid_argument& error) {  // a scene of no such name
     throw UsageError(error.what());
   }
-  return 0;
 }
 
 }  // namespace sightline::bench

@@ -4,7 +4,6 @@
 #include "bench/command_line.h"
 #include "bench/moving/run.h"
 #include "bench/subcommand.h"
-#include "sightline/io/output_file.h"
 
 namespace sightline::bench {
 namespace {
@@ -63,7 +62,6 @@ std::string parse(int argc, const char* const* argv, MovingPlan& plan) {
     names.push_back(spec.label);
   }
   if (!plan.spoiled.empty()) require_known("line", plan.spoiled, names);
-  check_json(plan.json);
   return {};
 }
 
@@ -72,15 +70,7 @@ std::string parse(int argc, const char* const* argv, MovingPlan& plan) {
 int run_moving_command(int argc, const char* const* argv) {
   MovingPlan plan;
   const std::string help = parse(argc, argv, plan);
-  if (!help.empty()) {
-    print(help);
-    return 0;
-  }
-  Progress progress;
-  const MovingReport report = run_moving(plan, progress);
-  print(text_of(report));
-  if (!plan.json.empty()) write_text(plan.json, json_text(report));
-  return 0;
+  return run_and_print(help, plan, run_moving);
 }
 
 }  // namespace sightline::bench

@@ -5,7 +5,6 @@
 #include "bench/noise/run.h"
 #include "bench/peers/noise_peers.h"
 #include "bench/subcommand.h"
-#include "sightline/io/output_file.h"
 
 namespace sightline::bench {
 namespace {
@@ -48,20 +47,11 @@ int run_noise_command(int argc, const char* const* argv) {
              (peer.values ? "" : " (not in this build; install " + std::string(peer.package) + ')') + '\n';
   }
   const std::string help = parse_or_help(app, argc, argv, peers + std::string(reading_text));
-  if (!help.empty()) {
-    print(help);
-    return 0;
-  }
   if (is_quick) {
     plan.slot_seconds = 0.001;
     if (rounds->count() == 0) plan.rounds = 5;
   }
-  check_json(plan.json);
-  Progress progress;
-  const NoiseReport report = run_noise(plan, progress);
-  print(text_of(report));
-  if (!plan.json.empty()) write_text(plan.json, json_text(report));
-  return 0;
+  return run_and_print(help, plan, run_noise);
 }
 
 }  // namespace sightline::bench

@@ -7,8 +7,12 @@
 #include <memory>
 
 #include "bench/processor_time.h"
+#include "bench/render/anew.h"
+#include "bench/render/canvas.h"
+#include "bench/render/instructions.h"
 #include "bench/render/pictures.h"
 #include "bench/render/stripped.h"
+#include "bench/rotation.h"
 #include "bench/solids/povray.h"
 #include "bench/verify.h"
 #include "sightline/render/renderer.h"
@@ -17,53 +21,6 @@ namespace sightline::bench {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr int tile_side = 32;
-
-/// A picture in tiles, kept between rounds so that only rendering is timed.
-class Canvas {
- public:
-  Canvas(int width, int height) {
-    for (int y = 0; y < height; y += tile_side) {
-      for (int x = 0; x < width; x += tile_side) {
-        tiles_.emplace_back(TileRect{x, y, std::min(tile_side, width - x), std::min(tile_side, height - y)});
-      }
-    }
-    for (std::uint32_t i = 0; i < tile_side * tile_side; ++i) pixels_.push_back(i);
-  }
-
-  template <class Paint>
-  void paint(const Paint& paint) {
-    for (TileBuffer& tile : tiles_) {
-      std::fill(tile.sums.begin(), tile.sums.end(), PixelSum{});
-      paint(tile, std::span<const std::uint32_t>(pixels_).first(tile.rect.pixels()));
-    }
-  }
-
-  Picture gray(int width, int height) const {
-    Picture picture(width, height);
-    for (const TileBuffer& tile : tiles_) {
-      for (std::size_t i = 0; i < tile.sums.size(); ++i) {
-        const std::size_t x = static_cast<std::size_t>(tile.rect.x) + i % static_cast<std::size_t>(tile.rect.width);
-        const std::size_t y = static_cast<std::size_t>(tile.rect.y) + i / static_cast<std::size_t>(tile.rect.width);
-        picture.shades[y * static_cast<std::size_t>(width) + x] = static_cast<float>(tile.sums[i].color.x);
-      }
-    }
-    return picture;
-  }
-
-  std::vector<TileBuffer>& tiles() { return tiles_; }
-  std::size_t differing(const Canvas& other) const {
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < tiles_.size(); ++k) {
-      for (std::size_t i = 0; i < tiles_[k].sums.size(); ++i) count += !(tiles_[k].sums[i] == other.tiles_[k].sums[i]);
-    }
-    return count;
-  }
-
- private:
-  std::vector<TileBuffer> tiles_;
-  std::vector<std::uint32_t> pixels_;
-};
 
 RenderSettings settings_of(const RenderPlanOfBench& plan, bool knows_all) {
   RenderSettings settings;
@@ -90,7 +47,8 @@ class Stage {
     report_.pixels = static_cast<std::size_t>(plan.width) * static_cast<std::size_t>(plan.height);
     add(plan_line, "what the scene calls for");
     add(again_line, "the same, to see what is noise");
-    add(stripped_line, "written by hand for this scene");
+    add(stripped_line, "all else deleted from it by hand");
+    add(anew_line, "by hand for this scene alone");
     add(all_line, "the integrator that knows every effect");
     if (povray) add(povray_line, "");
   }
@@ -101,6 +59,8 @@ class Stage {
     RenderCounters counters;
     if (line == stripped_line) {
       canvas.paint([&](TileBuffer& tile, auto) { add_stripped_samples(special_.scene(), tile); });
+    } else if (line == anew_line) {
+      canvas.paint([&](TileBuffer& tile, auto) { add_anew_samples(special_.scene(), tile); });
     } else {
       const Renderer& renderer = line == all_line ? superset_ : special_;
       canvas.paint([&](TileBuffer& tile, std::span<const std::uint32_t> pixels) {
@@ -125,7 +85,7 @@ class Stage {
       }
     }
     if (!povray_) return;
-    const Picture own = reference.gray(plan_.width, plan_.height);
+    const Picture own = reference.gray();
     const Picture other = povray_->paint(text_, plan_.width, plan_.height);
     std::size_t differing = 0;
     for (std::size_t i = 0; i < own.size(); ++i) {
@@ -142,24 +102,18 @@ class Stage {
 
   void measure(Progress& progress) {
     const auto rounds = static_cast<std::size_t>(plan_.rounds);
-    const std::size_t count = report_.rows.size();
     for (RenderRow& row : report_.rows) row.round_seconds.assign(rounds, nan), row.round_elapsed.assign(rounds, nan);
     Canvas canvas(plan_.width, plan_.height);
-    std::vector<double> spent(count);
-    for (std::size_t round = 0; round < rounds; ++round) {
-      progress.say(picture_.name, "round " + std::to_string(round + 1) + " of " + std::to_string(rounds));
-      for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t line = (k + round) % count;
-        if (spent[line] > plan_.row_seconds) continue;
-        spent[line] += time(report_.rows[line], round, canvas);
-      }
-    }
+    in_rotation(
+        {rounds, report_.rows.size(), plan_.row_seconds},
+        [&](const std::string& round) { progress.say(picture_.name, round); },
+        [&](std::size_t line, std::size_t round) { return time(report_.rows[line], round, canvas); });
     for (RenderRow& row : report_.rows) {
       row.seconds = estimate_of_present(row.round_seconds);
-      row.over_plan = ratio(row.round_seconds, report_.rows[0].round_seconds);
+      row.over_plan = paired_ratio(row.round_seconds, report_.rows[0].round_seconds);
       if (!povray_ || row.name == povray_line) continue;
-      row.povray_over = ratio(report_.rows.back().round_seconds, row.round_seconds);
-      row.povray_elapsed = ratio(report_.rows.back().round_elapsed, row.round_elapsed);
+      row.povray_over = paired_ratio(report_.rows.back().round_seconds, row.round_seconds);
+      row.povray_elapsed = paired_ratio(report_.rows.back().round_elapsed, row.round_elapsed);
     }
   }
 
@@ -184,12 +138,6 @@ class Stage {
     return row.round_elapsed[round];
   }
 
-  static std::optional<Estimate> ratio(const std::vector<double>& over, const std::vector<double>& under) {
-    std::vector<double> ratios(over.size());
-    for (std::size_t i = 0; i < over.size(); ++i) ratios[i] = over[i] / under[i];
-    return estimate_of_present(ratios);
-  }
-
   const RenderPlanOfBench& plan_;
   const RenderPicture& picture_;
   Povray* povray_;
@@ -200,20 +148,29 @@ class Stage {
 
 }  // namespace
 
+std::vector<std::string> names_of(const RenderPlanOfBench& plan) {
+  std::vector<std::string> names;
+  for (const RenderPicture& picture : render_pictures()) {
+    const bool is_asked = std::find(plan.scenes.begin(), plan.scenes.end(), picture.name) != plan.scenes.end();
+    if (plan.scenes.empty() || is_asked) names.push_back(picture.name);
+  }
+  return names;
+}
+
 RenderBenchReport run_render(const RenderPlanOfBench& plan, Progress& progress,
                              const std::function<void(const RenderBenchReport&, const RenderPictureReport&)>& see) {
   RenderBenchReport report{this_machine(), plan, {}, {}};
   const bool has_povray = plan.has_povray && plan.only.empty();
   std::optional<Povray> povray = has_povray ? Povray::find() : std::nullopt;
   if (povray) report.povray_version = povray->version();
+  const std::vector<std::string> names = names_of(plan);
   for (const RenderPicture& picture : render_pictures()) {
-    const auto& names = plan.scenes;
-    if (!names.empty() && std::find(names.begin(), names.end(), picture.name) == names.end()) continue;
+    if (std::find(names.begin(), names.end(), picture.name) == names.end()) continue;
     progress.say(picture.name, "verifying");
     Stage stage(plan, picture, povray ? &*povray : nullptr);
     if (!plan.only.empty()) {
       Canvas canvas(plan.width, plan.height);
-      stage.paint(plan.only, canvas);
+      paint_once([&] { stage.paint(plan.only, canvas); });
       continue;
     }
     stage.verify();

@@ -16,6 +16,7 @@ namespace sightline::bench {
 struct RenderPlanOfBench {
   std::vector<std::string> scenes;  ///< Names of render_pictures; all where empty.
   int width = 800, height = 600;
+  bool is_quick = false;  ///< Of a quarter of that size.
   int rounds = 201;
   double row_seconds = 60;  ///< A line that would take longer for all its rounds takes part in fewer.
   Level level = Level::watertight;
@@ -49,15 +50,19 @@ struct RenderBenchReport {
   std::vector<RenderPictureReport> pictures;
 };
 
-/// Lines: the plan, the plan once more (what differs there is noise), a renderer stripped by hand, the integrator that
+/// Lines: the plan, the plan once more (what differs there is noise), the renderer stripped by hand,
+/// one written anew, the integrator that
 /// knows all effects, POV-Ray.
 inline constexpr std::string_view plan_line = "plan", again_line = "plan again", stripped_line = "stripped",
-                                  all_line = "all effects", povray_line = "POV-Ray";
+                                  anew_line = "written anew", all_line = "all effects", povray_line = "POV-Ray";
 
 /// Verifies, then measures, on one thread. Calls see(report, picture) when one is complete.
 /// \throws WrongHits where a line's picture is not that of the plan, bit for bit, or POV-Ray sees something else.
 RenderBenchReport run_render(const RenderPlanOfBench& plan, Progress& progress,
                              const std::function<void(const RenderBenchReport&, const RenderPictureReport&)>& see);
+
+/// Of the pictures that it asks for.
+std::vector<std::string> names_of(const RenderPlanOfBench& plan);
 
 std::string head_text(const RenderBenchReport& report);
 std::string table_text(const RenderBenchReport& report, const RenderPictureReport& picture);

@@ -4,128 +4,169 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace sightline::bench {
 namespace {
 
-constexpr int side = 4;
-constexpr std::size_t most = std::size_t{side} * side;
-
-/// Sixteen neighbours on their way.
-struct Square {
-  std::array<Ray<double>, most> rays, to_lamp;
-  std::array<WorldHit, most> hits;
-  std::array<SurfacePoint, most> at;
-  std::array<Vec3d, most> points;
-  std::array<Footprint, most> footprints;
-  std::array<Color, most> seen, light, colors;
-  std::array<std::uint32_t, most> places, met, lit;
-  std::array<std::uint8_t, most> is_dark;
+struct Place {
+  int x, y;
+  std::uint32_t in_tile;
 };
+
+struct Painted {
+  SurfacePoint at;
+  std::uint32_t material;
+  Color color;
+};
+
+struct Light {
+  Color color;
+  std::uint32_t slot;
+};
+
+/// Of as many pixels as the renderer's waves have where no ray goes on.
+constexpr std::size_t wave_size = 16;
 
 template <bool is_textured>
 class Stripped {
  public:
-  explicit Stripped(const RenderScene& scene)
-      : scene_(scene),
-        moment_(*scene.moments[0]),
-        camera_(moment_.lens.camera),
-        lamp_(moment_.lamps[0]),
-        column_(camera_.right / double(camera_.width)),
-        row_(camera_.up / double(camera_.height)),
-        pixel_width_(static_cast<float>(2 * glm::length(row_))) {}
+  explicit Stripped(const RenderScene& scene) : scene_(scene) {}
 
   void add_samples(TileBuffer& tile) {
-    for (int y = 0; y < tile.rect.height; y += side) {
-      for (int x = 0; x < tile.rect.width; x += side) {
-        const std::size_t count = look(tile.rect, x, y);
-        moment_.world->closest_hits(std::span<const Ray<double>>(square_.rays).first(count),
-                                    std::span(square_.hits).first(count));
-        const std::size_t met = meet(count);
-        std::size_t lit = 0;
-        for (std::size_t k = 0; k < met; ++k) lit += shade(k, lit);
-        moment_.world->any_hits(std::span<const Ray<double>>(square_.to_lamp).first(lit),
-                                std::span(square_.is_dark).first(lit));
-        for (std::size_t i = 0; i < lit; ++i) {
-          if (!square_.is_dark[i]) square_.seen[square_.lit[i]] = square_.light[i];
-        }
-        for (std::size_t i = 0; i < count; ++i) tile.sums[square_.places[i]].add(Vec3d(square_.seen[i]));
-      }
+    const std::vector<Place> order = in_squares(tile.rect);
+    moment_ = scene_.moments[0].get();
+    for (std::size_t first = 0; first < order.size(); first += wave_size) {
+      const auto places = std::span(order).subspan(first, std::min(wave_size, order.size() - first));
+      look(places);
+      trace();
+      see();
+      for (std::size_t i = 0; i < places.size(); ++i) tile.sums[places[i].in_tile].add(radiance_[i]);
     }
   }
 
  private:
-  std::size_t look(const TileRect& rect, int x, int y) {
-    std::size_t count = 0;
-    const int right = std::min(x + side, rect.width), below = std::min(y + side, rect.height);
-    for (int j = y; j < below; ++j) {
-      for (int i = x; i < right; ++i, ++count) {
-        square_.places[count] = static_cast<std::uint32_t>(j * rect.width + i);
-        Ray<double>& ray = square_.rays[count];
-        ray.origin = camera_.eye;
-        ray.direction = camera_.forward + (2 * (rect.x + i + 0.5) - camera_.width) * column_ +
-                        (camera_.height - 2 * (rect.y + j + 0.5)) * row_;
-      }
-    }
-    return count;
-  }
-
-  /// Where rays hit, and with which colors; returns how many do.
-  std::size_t meet(std::size_t count) {
-    std::size_t met = 0;
-    const SurfaceMaterial* material = nullptr;
-    for (std::size_t i = 0; i < count; ++i) {
-      square_.seen[i] = Color(0);
-      const WorldHit& hit = square_.hits[i];
-      if (!hit.is_hit()) continue;
-      const Ray<double>& ray = square_.rays[i];
-      const Surfaces& surfaces = *moment_.surfaces;
-      SurfacePoint& at = square_.at[met] = surfaces.locate(ray, hit);
-      material = &(*scene_.materials)[surfaces.material(hit)];
-      if constexpr (is_textured) {
-        double footprint = 0;
-        if (scene_.has_footprints) {
-          const double speed = std::sqrt(glm::dot(ray.direction, ray.direction));
-          const double slant = std::fabs(glm::dot(at.outside, -ray.direction / speed));
-          footprint = pixel_width_ * static_cast<float>(hit.t) / std::sqrt(std::max(slant, 0x1p-4));
+  static std::vector<Place> in_squares(const TileRect& rect) {
+    constexpr int side = 4;
+    std::vector<Place> order(rect.pixels());
+    Place* next = order.data();
+    for (int y = 0; y < rect.height; y += side) {
+      for (int x = 0; x < rect.width; x += side) {
+        const int right = std::min(x + side, rect.width), below = std::min(y + side, rect.height);
+        for (int j = y; j < below; ++j) {
+          for (int i = x; i < right; ++i) {
+            *next++ = {rect.x + i, rect.y + j, static_cast<std::uint32_t>(j * rect.width + i)};
+          }
         }
-        square_.points[met] = surfaces.local(hit, at);
-        square_.footprints[met] = surfaces.local_footprint(hit, at, footprint);
-      }
-      square_.colors[met] = material->values.color;
-      square_.met[met++] = static_cast<std::uint32_t>(i);
-    }
-    if constexpr (is_textured) {
-      if (met > 0) {
-        material->color_function->colors(std::span<const Vec3d>(square_.points).first(met),
-                                         std::span<const Footprint>(square_.footprints).first(met),
-                                         std::span(square_.colors).first(met));
       }
     }
-    return met;
+    return order;
   }
 
-  /// 1 where light could come to what is met there: then as number `lit`.
-  std::size_t shade(std::size_t k, std::size_t lit) {
-    const std::uint32_t i = square_.met[k];
-    const SurfacePoint& at = square_.at[k];
-    const Vec3d face = glm::dot(at.outside, square_.rays[i].direction) > 0 ? -at.outside : at.outside;
-    const double cosine = glm::dot(face, -lamp_.axis);
-    if (!(cosine > 0)) return 0;
-    square_.light[lit] = static_cast<float>(cosine * std::numbers::inv_pi) * square_.colors[k] * lamp_.strength;
-    square_.lit[lit] = i;
-    square_.to_lamp[lit].origin = at.beyond(face);
-    square_.to_lamp[lit].direction = -lamp_.axis;
-    return 1;
+  void look(std::span<const Place> places) {
+    const Camera& camera = moment_->lens.camera;
+    const Vec3d column = camera.right / double(camera.width), row = camera.up / double(camera.height);
+    pixel_width_ = static_cast<float>(2 * glm::length(row));
+    rays_.resize(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const int x = places[i].x, y = places[i].y;
+      radiance_[i] = Vec3d(0);
+      Ray<double>& ray = rays_[i];
+      ray = {};
+      ray.origin = camera.eye;
+      ray.direction = camera.forward + (2 * (x + 0.5) - camera.width) * column + (camera.height - 2 * (y + 0.5)) * row;
+    }
+  }
+
+  void trace() {
+    hits_.resize(rays_.size());
+    moment_->world->closest_hits(rays_, hits_);
+    if constexpr (is_textured) paint();
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+      if (hits_[i].is_hit()) shade(i);
+    }
+  }
+
+  void paint() {
+    const Surfaces& surfaces = *moment_->surfaces;
+    const Texture* function = nullptr;
+    painted_.resize(hits_.size());
+    for (std::size_t i = 0; i < hits_.size(); ++i) {
+      const WorldHit& hit = hits_[i];
+      if (!hit.is_hit()) continue;
+      const Ray<double>& ray = rays_[i];
+      Painted& painted = painted_[i];
+      surfaces.locate(ray, hit, painted.at);
+      painted.material = surfaces.material(hit);
+      function = (*scene_.materials)[painted.material].color_function;
+      strokes_.push_back(i);
+      points_.emplace_back() = surfaces.local(hit, painted.at);
+      double footprint = 0;
+      if (scene_.has_footprints) {
+        const float width = pixel_width_ * static_cast<float>(hit.t);
+        const double speed = std::sqrt(glm::dot(ray.direction, ray.direction));
+        const double slant = std::fabs(glm::dot(painted.at.outside, -ray.direction / speed));
+        footprint = width / std::sqrt(std::max(slant, 0x1p-4));
+      }
+      footprints_.emplace_back() = surfaces.local_footprint(hit, painted.at, footprint);
+    }
+    if (points_.empty()) return;
+    colors_.resize(points_.size());
+    function->colors(points_, footprints_, colors_);
+    for (std::size_t k = 0; k < points_.size(); ++k) painted_[strokes_[k]].color = colors_[k];
+    strokes_.clear();
+    points_.clear();
+    footprints_.clear();
+  }
+
+  void shade(std::size_t place) {
+    const Ray<double>& ray = rays_[place];
+    const WorldHit& hit = hits_[place];
+    const Surfaces& surfaces = *moment_->surfaces;
+    SurfacePoint located;
+    if constexpr (!is_textured) surfaces.locate(ray, hit, located);
+    const SurfacePoint& at = is_textured ? painted_[place].at : located;
+    const std::uint32_t number = is_textured ? painted_[place].material : surfaces.material(hit);
+    const SurfaceMaterial& material = (*scene_.materials)[number];
+    const Vec3d side = glm::dot(at.outside, -ray.direction) < 0 ? -at.outside : at.outside;
+    Color color = material.values.color;
+    if constexpr (is_textured) color *= painted_[place].color;
+    if (color == Color(0)) return;
+    const Lamp& lamp = moment_->lamps[0];
+    const double cosine = glm::dot(side, -lamp.axis);
+    if (!(cosine > 0)) return;
+    const Color light = static_cast<float>(cosine * std::numbers::inv_pi) * color * lamp.strength;
+    if (light == Color(0)) return;
+    Ray<double>& to_lamp = to_lamp_.emplace_back();
+    to_lamp.origin = at.beyond(side);
+    to_lamp.direction = -lamp.axis;
+    lights_.push_back({light, static_cast<std::uint32_t>(place)});
+  }
+
+  void see() {
+    if (to_lamp_.empty()) return;
+    is_stopped_.resize(to_lamp_.size());
+    moment_->world->any_hits(to_lamp_, is_stopped_);
+    for (std::size_t i = 0; i < to_lamp_.size(); ++i) {
+      if (!is_stopped_[i]) radiance_[lights_[i].slot] += Vec3d(lights_[i].color);
+    }
+    to_lamp_.clear();
+    lights_.clear();
   }
 
   const RenderScene& scene_;
-  const Moment& moment_;
-  const Camera& camera_;
-  const Lamp& lamp_;
-  Vec3d column_, row_;
-  float pixel_width_;
-  Square square_;
+  const Moment* moment_ = nullptr;
+  float pixel_width_ = 0;
+  std::array<Vec3d, wave_size> radiance_{};
+  std::vector<Ray<double>> rays_, to_lamp_;
+  std::vector<WorldHit> hits_;
+  std::vector<Painted> painted_;
+  std::vector<std::size_t> strokes_;
+  std::vector<Vec3d> points_;
+  std::vector<Footprint> footprints_;
+  std::vector<Color> colors_;
+  std::vector<Light> lights_;
+  std::vector<std::uint8_t> is_stopped_;
 };
 
 }  // namespace

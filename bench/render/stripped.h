@@ -5,10 +5,10 @@
 
 namespace sightline::bench {
 
-/// A renderer for one kind of scene, written by hand: Lambert surfaces of solids, of one color or with a procedural
-/// texture, a single directional lamp and its shadow, one sample through each pixel's middle, before nothing. It knows
-/// of no other effect, and counts nothing. Of other scenes it makes nonsense.
-/// The same bits as the renderer's.
+/// The renderer with all deleted by hand that a scene of one kind does not use: Lambert surfaces of solids, of one
+/// color or with a procedural texture, a single directional lamp and its shadow, one sample through each pixel's
+/// middle, before nothing. What is left goes as render/integrator_of.h has it, wave by wave. It knows of no other
+/// effect, and counts nothing. Of other scenes it makes nonsense. The same bits as the renderer's.
 void add_stripped_samples(const RenderScene& scene, TileBuffer& tile);
 
 }  // namespace sightline::bench

@@ -6,7 +6,6 @@
 #include "bench/solids/run.h"
 #include "bench/subcommand.h"
 #include "bench/text_table.h"
-#include "sightline/io/output_file.h"
 #include "sightline/query/tracer.h"
 
 namespace sightline::bench {
@@ -119,22 +118,15 @@ std::string parse(int argc, const char* const* argv, SolidPlan& plan) {
 int run_solids_command(int argc, const char* const* argv) {
   SolidPlan plan;
   const std::string help = parse(argc, argv, plan);
-  if (!help.empty()) {
-    print(help);
-    return 0;
-  }
-  check_json(plan.json);
-  Progress progress;
-  bool is_first = true;
-  const SolidReport report = run_solids(plan, progress, [&](const SolidReport& so_far, const SolidSceneReport& scene) {
-    if (is_first) print(head_text(so_far));
-    is_first = false;
-    print('\n' + table_text(so_far, scene));
+  TablePrinter tables;
+  return run_command(help, plan, [&](Progress& progress) {
+    SolidReport report = run_solids(plan, progress, [&](const SolidReport& so_far, const SolidSceneReport& scene) {
+      tables.show(so_far, table_text(so_far, scene));
+    });
+    const std::string growth = growth_text(report);
+    if (!growth.empty()) print('\n' + growth);
+    return report;
   });
-  const std::string growth = growth_text(report);
-  if (!growth.empty()) print('\n' + growth);
-  if (!plan.json.empty()) write_text(plan.json, json_text(report));
-  return 0;
 }
 
 }  // namespace sightline::bench

@@ -1,45 +1,15 @@
 #include "bench/solids/povray.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-
 #include <charconv>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
 
-extern char** environ;  // NOLINT: as POSIX has it
+#include "bench/run_program.h"
 
 namespace sightline::bench {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// All that the program prints goes to a file. Its exit code; 127 where there is no such program.
-int run_program(std::vector<std::string> words, const fs::path& log) {
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_adddup2(&actions, 1, 2);
-  pid_t process = 0;
-  const int failure = posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failure != 0) return 127;
-  int status = 0;
-  if (waitpid(process, &status, 0) != process || !WIFEXITED(status)) return 126;
-  return WEXITSTATUS(status);
-}
 
 /// The number behind the first `before` that comes after the first `start`.
 double number_in(const std::string& text, std::string_view start, std::string_view before) {
@@ -82,8 +52,8 @@ Povray::Povray()
 
 std::optional<Povray> Povray::find() {
   Povray povray;
-  if (run_program({"povray", "--version"}, povray.log_) == 127) return std::nullopt;
-  std::istringstream lines(text_of(povray.log_));
+  if (run_program({"povray", "--version"}, povray.log_) == no_such_program) return std::nullopt;
+  std::istringstream lines(text_in(povray.log_));
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("POV-Ray ")) povray.version_ = line.substr(8);
   }
@@ -98,14 +68,14 @@ std::string Povray::run(const std::string& scene, int width, int height, const s
   std::istringstream options(std::string(povray_options) + ' ' + output);
   for (std::string word; options >> word;) words.push_back(word);
   const int code = run_program(words, log_);
-  std::string text = text_of(log_);
+  std::string text = text_in(log_);
   if (code != 0) throw std::runtime_error("POV-Ray failed with exit code " + std::to_string(code) + ":\n" + text);
   return text;
 }
 
 Picture Povray::paint(const std::string& scene, int width, int height) {
   run(scene, width, height, "+FP16 +O" + picture_.string());
-  return picture_of(text_of(picture_));
+  return picture_of(text_in(picture_));
 }
 
 Povray::TraceTime Povray::trace(const std::string& scene, int width, int height) {

@@ -17,12 +17,6 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Of POV-Ray's over one's own, where both took part.
-std::optional<Estimate> ratio_of(const std::vector<double>& povray, const std::vector<double>& own) {
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < own.size(); ++i) ratios.push_back(povray[i] / own[i]);
-  return estimate_of_present(ratios);
-}
-
 SolidOptions without_switches() {
   SolidOptions options;
   for (const auto& field : SolidOptions::fields()) {
@@ -129,8 +123,8 @@ class Stage {
       row.seconds = estimate_of_present(row.round_seconds);
       row.elapsed = estimate_of_present(row.round_elapsed);
       if (!povray_ || &row == &report_.rows.back()) continue;
-      row.ratio = ratio_of(report_.rows.back().round_seconds, row.round_seconds);
-      row.elapsed_ratio = ratio_of(report_.rows.back().round_elapsed, row.round_elapsed);
+      row.ratio = paired_ratio(report_.rows.back().round_seconds, row.round_seconds);
+      row.elapsed_ratio = paired_ratio(report_.rows.back().round_elapsed, row.round_elapsed);
     }
   }
 

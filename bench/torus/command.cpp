@@ -4,7 +4,6 @@
 #include "bench/command_line.h"
 #include "bench/subcommand.h"
 #include "bench/torus/run.h"
-#include "sightline/io/output_file.h"
 
 namespace sightline::bench {
 namespace {
@@ -72,20 +71,12 @@ std::string parse(int argc, const char* const* argv, TorusPlan& plan) {
 int run_torus_command(int argc, const char* const* argv) {
   TorusPlan plan;
   const std::string help = parse(argc, argv, plan);
-  if (!help.empty()) {
-    print(help);
-    return 0;
-  }
-  check_json(plan.json);
-  Progress progress;
-  bool is_first = true;
-  const TorusReport report = run_torus(plan, progress, [&](const TorusReport& so_far, const TorusReportPart& part) {
-    if (is_first) print(head_text(so_far));
-    is_first = false;
-    print('\n' + table_text(part));
+  TablePrinter tables;
+  return run_command(help, plan, [&](Progress& progress) {
+    return run_torus(plan, progress, [&](const TorusReport& so_far, const TorusReportPart& part) {
+      tables.show(so_far, table_text(part));
+    });
   });
-  if (!plan.json.empty()) write_text(plan.json, json_text(report));
-  return 0;
 }
 
 }  // namespace sightline::bench

@@ -57,6 +57,11 @@ TEST(Estimate, IntervalHoldsTheMedianAndIsMadeOfSamples) {
 
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
+TEST(Estimate, RatiosArePairedByRound) {
+  EXPECT_EQ(paired_ratio({2, 30, absent, 8}, {1, 10, 5, 2})->median, 3);
+  EXPECT_FALSE(paired_ratio({absent, 1}, {1, absent}));
+}
+
 TEST(Estimate, OfPresentLeavesOutWhatIsMissing) {
   EXPECT_FALSE(estimate_of_present({}));
   EXPECT_FALSE(estimate_of_present({absent, absent}));

@@ -323,4 +323,30 @@ for line in stripped 'all effects'; do
   expect_says "$line is wrong"
   expect_no_file
 done
+run "$bench" render --quick --rounds 1 --ladder --json out.json
+expect_exit 0
+for word in 'hard shadow again' 'soft shadow ' absorption 'motion blur ' 'rays a pixel' 'interval'; do expect_prints "$word"; done
+for word in '"time_over_below"' '"counts_per_pixel"' '"resolved"'; do
+  check "$word in the JSON file" grep -q -e "$word" "$work/out.json"
+done
+refuses 1 'fog is wrong, so no times are shown' "$bench" render --quick --rounds 1 --ladder --self-check fog --json out.json
+refuses 2 'unknown rung' "$bench" render --ladder --self-check plan
+refuses 2 'excludes' "$bench" render --ladder --scene wood
+refuses 2 'excludes' "$bench" render --ladder --threads 1
+refuses 2 'excludes' "$bench" render --ladder --peer none
+run "$bench" render --quick --rounds 1 --threads 1 --scene spheres --scene teapot:2 --json out.json
+expect_exit 0
+for word in spheres teapot:2 'million rays/s' efficiency; do expect_prints "$word"; done
+check 'rates in the JSON file' grep -q '"rays_per_second"' "$work/out.json"
+refuses 1 'is wrong, so no times are shown' "$bench" render --quick --threads 1 --scene teapot:2 --self-check 1 --json out.json
+refuses 2 'expected numbers from 1' "$bench" render --threads 0
+refuses 2 'expected numbers from 1' "$bench" render --threads 1,100000
+refuses 2 threads "$bench" render --threads many
+refuses 2 twice "$bench" render --threads 1,1
+refuses 2 'unknown number of threads' "$bench" render --threads 1 --self-check fog
+refuses 2 'kettle' "$bench" render --threads 1 --scene kettle
+refuses 1 'none.json' "$bench" render --threads 1 --scene none.json
+refuses 1 valgrind env PATH="$scratch/empty" "$bench" render --instructions --json out.json
+refuses 2 'unknown scene' "$bench" render --instructions --scene cornell
+refuses 2 'excludes' "$bench" render --instructions --rounds 5
 finish

@@ -2,11 +2,11 @@
 
 #include <signal.h>
 
-#include <array>
 #include <cstdio>
 #include <iostream>
 
 #include "sightline/render/checkpoint.h"
+#include "sightline/render/ray_count.h"
 
 namespace sightline::render_tool {
 namespace {
@@ -15,15 +15,6 @@ constexpr std::chrono::milliseconds tell_interval{200};
 constexpr std::chrono::seconds show_interval{1};
 
 }  // namespace
-
-std::uint64_t rays_of(const RenderCounters& counters) {
-  constexpr std::array effects{Effect::hard_shadow, Effect::soft_shadow,    Effect::mirror,
-                               Effect::glossy,      Effect::refraction,     Effect::ambient_occlusion,
-                               Effect::environment, Effect::interreflection};
-  std::uint64_t rays = counters.camera_rays;
-  for (const Effect effect : effects) rays += counters[effect];
-  return rays;
-}
 
 Monitor::Monitor(const Film& film, const Outlets& outlets)
     : film_(film), outlets_(outlets), first_rays_(rays_of(film.progress().counters)) {

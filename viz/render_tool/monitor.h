@@ -11,9 +11,6 @@
 
 namespace sightline::render_tool {
 
-/// Rays that were traced; what is counted of the other effects are evaluations.
-std::uint64_t rays_of(const RenderCounters& counters);
-
 /// Where a film under way is told of.
 struct Outlets {
   Progress* progress = nullptr;

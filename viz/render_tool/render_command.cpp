@@ -9,6 +9,7 @@
 #include "sightline/io/output_file.h"
 #include "sightline/render/checkpoint.h"
 #include "sightline/render/exposure.h"
+#include "sightline/render/ray_count.h"
 #include "sightline/scene/scenes.h"
 #include "viz/render_tool/monitor.h"
 #include "viz/render_tool/picture_files.h"

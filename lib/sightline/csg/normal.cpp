@@ -67,6 +67,10 @@ Vec3d Solid::normal(const Boundary& boundary, const Ray<double>& ray) const {
     return boundary.is_flipped ? -normal : normal;
   }
   const Vec3d world = ray.at(boundary.t);
+  if (const auto* sphere = std::get_if<solid::Sphere>(&primitive.shape); sphere && !frame) {
+    const Vec3d normal = unit(world - sphere->center, boundary.is_flipped ? ray.direction : -ray.direction);
+    return boundary.is_flipped ? -normal : normal;
+  }
   Vec3d local = world;
   for (int i = 0; i < 3 && frame; ++i) {
     const auto& row = frame->rows[static_cast<std::size_t>(i)];

@@ -120,8 +120,8 @@ class Integrator {
   static constexpr bool is_specular = reflects || has.has(Effect::refraction);
   /// Whether rays go on from surfaces.
   static constexpr bool has_more_rays = is_specular || has.has(Effect::interreflection);
-  static constexpr bool has_footprints =
-      has.has(Effect::procedural_texture) || has.has(Effect::image_texture) || has.has(Effect::normal_map);
+  /// Whether shading asks how wide rays are where they meet surfaces; paint() finds that out by itself.
+  static constexpr bool has_footprints = has.has(Effect::image_texture) || has.has(Effect::normal_map);
   /// Whether glossy surfaces may ask the sky where it is bright, too.
   static constexpr bool has_bright_gloss = has.has(Effect::glossy) && has.has(Effect::environment);
   /// Whether anything asks for lengths along rays, and for directions of unit length.
@@ -138,6 +138,7 @@ class Integrator {
   /// What is known of a wave's hit before it is shaded, where functions of space are asked for colors together.
   struct Painted {
     SurfacePoint at;
+    std::uint32_t material;  ///< Its number.
     Color color;
   };
   /// Points for one function of space.
@@ -154,7 +155,7 @@ class Integrator {
     const SurfaceMaterial& material;
     std::uint32_t number;  ///< Of the material.
     const WorldHit& hit;
-    SurfacePoint at;
+    const SurfacePoint& at;
     Vec3d to_viewer{0};        ///< Of unit length where the integrator has lengths.
     Vec3d side{0}, normal{0};  ///< Of unit length, on the viewer's side.
     bool is_inside = false;
@@ -188,21 +189,21 @@ class Integrator {
   void paint(const RayWave& wave);
   void finish_strokes();
 
-  // integrator_shading.h
+  // integrator_shading.h; what is called once goes in line, so that nothing of a hit has to be written to memory
   void shade_miss(const Ray<double>& ray, AnyPath& path, double density);
-  void shade(const Ray<double>& ray, AnyPath& path, std::size_t place);
+  [[gnu::always_inline]] inline void shade(const Ray<double>& ray, AnyPath& path, std::size_t place);
   void in_fog(double length, Path& path, Color& light) const;
-  Color color_at(const Shade& shade, const AnyPath& path, std::size_t place);
-  Vec3d normal_at(const Shade& shade, const AnyPath& path);
+  [[gnu::always_inline]] inline Color color_at(const Shade& shade, const AnyPath& path, std::size_t place);
+  [[gnu::always_inline]] inline Vec3d normal_at(const Shade& shade, const AnyPath& path);
   Color share_out(Shade& shade, const Path& path);
-  void shine(const Shade& shade, const AnyPath& path, const Color& diffuse);
+  [[gnu::always_inline]] inline void shine(const Shade& shade, const AnyPath& path, const Color& diffuse);
   void add_area_ray(const Shade& shade, const AnyPath& path, const LampLight& from, Color light, std::uint32_t lamp,
                     std::uint32_t which);
   Color highlight(const Shade& shade, const Vec3d& to_lamp, double cosine) const;
-  void look_around(const Shade& shade, const AnyPath& path, const Color& diffuse);
+  [[gnu::always_inline]] inline void look_around(const Shade& shade, const AnyPath& path, const Color& diffuse);
   void look_at_sky(const Shade& shade, const AnyPath& path, const Color& diffuse);
-  void add_sight(Sight sight, const Shade& shade, const Vec3d& direction, double length, const Color& light,
-                 std::uint32_t slot);
+  [[gnu::always_inline]] inline void add_sight(Sight sight, const Shade& shade, const Vec3d& direction, double length,
+                                               const Color& light, std::uint32_t slot);
   void go_on(Kind kind, const Shade& shade, const Path& path, const Vec3d& direction, const Color& weight);
 
   const RenderScene& scene_;

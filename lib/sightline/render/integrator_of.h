@@ -153,20 +153,20 @@ void Integrator<has>::trace(RayWave& wave, StageTimes::Clock::duration* time) {
   }
   const StageClock clock(StageClock::shading(times_));
   if constexpr (has.has(Effect::procedural_texture)) paint(wave);
-  const auto follow_up = [&](std::size_t i, AnyPath& path) {
-    if (hits_[i].is_hit()) {
-      shade(wave.rays[i], path, i);
-    } else if (scene_.has_sky || has.has(Effect::fog)) {
-      shade_miss(wave.rays[i], path, wave.densities.empty() ? 0 : wave.densities[i]);
-    }
-  };
+  const bool sees_misses = scene_.has_sky || has.has(Effect::fog);
   for (std::size_t i = 0; i < wave.rays.size(); ++i) {
-    if constexpr (is_slim) {
-      FirstPath path{static_cast<std::uint32_t>(i), 0, pixel_width_};
-      follow_up(i, path);
-    } else {
-      follow_up(i, wave.paths[i]);
-    }
+    const bool is_hit = hits_[i].is_hit();
+    if (!is_hit && !sees_misses) continue;
+    [[maybe_unused]] FirstPath first{static_cast<std::uint32_t>(i), 0, pixel_width_};
+    AnyPath* path;
+    if constexpr (is_slim)
+      path = &first;
+    else
+      path = &wave.paths[i];
+    if (is_hit)
+      shade(wave.rays[i], *path, i);
+    else
+      shade_miss(wave.rays[i], *path, wave.densities.empty() ? 0 : wave.densities[i]);
   }
 }
 

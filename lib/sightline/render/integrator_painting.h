@@ -25,22 +25,23 @@ void Integrator<has>::paint(const RayWave& wave) {
     if (!hit.is_hit()) continue;
     const Ray<double>& ray = wave.rays[i];
     Painted& painted = painted_[i];
-    painted.at = surfaces.locate(ray, hit);
-    const Texture* const function = (*scene_.materials)[surfaces.material(hit)].color_function;
+    surfaces.locate(ray, hit, painted.at);
+    painted.material = surfaces.material(hit);
+    const Texture* const function = (*scene_.materials)[painted.material].color_function;
     if (!function) continue;
     if (function != strokes_.function) finish_strokes();
     strokes_.function = function;
     strokes_.places.push_back(i);
-    strokes_.points.push_back(surfaces.local(hit, painted.at));
+    strokes_.points.emplace_back() = surfaces.local(hit, painted.at);
     double footprint = 0;
     if (scene_.has_footprints) {
-      float width = 0, spread = pixel_width_;
-      if constexpr (!is_slim) width = wave.paths[i].width, spread = wave.paths[i].spread;
-      width += spread * static_cast<float>(hit.t);
+      float width = 0, widening = pixel_width_;
+      if constexpr (!is_slim) width = wave.paths[i].width, widening = wave.paths[i].spread;
+      width += widening * static_cast<float>(hit.t);
       const double speed = std::sqrt(glm::dot(ray.direction, ray.direction));
       footprint = slanted_footprint(width, painted.at.outside, -ray.direction / speed);
     }
-    strokes_.footprints.push_back(surfaces.local_footprint(hit, painted.at, footprint));
+    strokes_.footprints.emplace_back() = surfaces.local_footprint(hit, painted.at, footprint);
   }
   finish_strokes();
 }

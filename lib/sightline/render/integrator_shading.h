@@ -43,9 +43,12 @@ void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, std::size_t p
   constexpr bool is_painted = has.has(Effect::procedural_texture);
   const WorldHit& hit = hits_[place];
   const Surfaces& surfaces = *moment_->surfaces;
-  const std::uint32_t number = surfaces.material(hit);
+  SurfacePoint located;
+  if constexpr (!is_painted) surfaces.locate(ray, hit, located);
+  const SurfacePoint& at = is_painted ? painted_[place].at : located;
+  const std::uint32_t number = is_painted ? painted_[place].material : surfaces.material(hit);
   const SurfaceMaterial& material = (*scene_.materials)[number];
-  Shade shade{material, number, hit, is_painted ? painted_[place].at : surfaces.locate(ray, hit)};
+  Shade shade{material, number, hit, at};
   shade.to_viewer = -ray.direction;
   if constexpr (has_footprints) path.width += path.spread * static_cast<float>(hit.t);
   [[maybe_unused]] double length = 0;
@@ -101,10 +104,10 @@ Color Integrator<has>::color_at(const Shade& shade, const AnyPath& path, std::si
   if constexpr (has.has(Effect::image_texture)) {
     if (material.color_image) {
       const StageClock clock(StageClock::of(times_, Effect::image_texture), StageClock::shading(times_));
-      const Surfaces::ImagePlace at = moment_->surfaces->image_place(shade.hit, shade.at);
+      const Surfaces::ImagePlace in_image = moment_->surfaces->image_place(shade.hit, shade.at);
       const double seen = scene_.has_footprints ? slanted_footprint(path.width, shade.side, shade.to_viewer) : 0;
-      const double width = at.scale * seen;
-      color *= (*material.color_image)(at.uv, {{width, 0}, {0, width}});
+      const double width = in_image.scale * seen;
+      color *= (*material.color_image)(in_image.uv, {{width, 0}, {0, width}});
       ++counters_[Effect::image_texture];
     }
   }

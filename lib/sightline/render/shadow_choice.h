@@ -11,7 +11,8 @@
 ///       the others err by s: in the mean by no more than q, the largest value of s (1 - s)^n, at s = 1 / (n + 1).
 ///   C3  Squares of the rays of a pixel's sample come to no more than S E^2, of S samples whose errors are independent:
 ///       so the standard error that is added to the pixel is at most E, whatever is seen. Draws are more even than
-///       independent ones, so it is less.
+///       independent ones, so it is less. A pixel that stops after s samples has sqrt(S / s) times as much. Surfaces at
+///       the same depth of a sample share draws: what these add together may be more where they err alike.
 /// Rays that were sent as a trial choose those that follow, but no trial is thrown away for it: Kirk and Arvo,
 /// "Unbiased Sampling Techniques for Image Synthesis", 1991, show what is wrong with stopping once trials agree.
 /// Shirley, Wang and Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations", 1996, on choosing rays.

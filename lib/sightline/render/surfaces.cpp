@@ -84,15 +84,18 @@ Surfaces::Place Surfaces::place(const WorldHit& hit) const {
   return place;
 }
 
-SurfacePoint Surfaces::locate(const Ray<double>& ray, const WorldHit& hit) const {
-  SurfacePoint at;
+void Surfaces::locate(const Ray<double>& ray, const WorldHit& hit, SurfacePoint& at) const {
   if (world_.is_solid(hit.item)) {
-    Hit<double> of_solid{hit.t, 0, static_cast<double>(hit.prim_id), hit.v};
-    at.point = ray.at(hit.t);
-    at.outside = world_.solid(hit.item).normal(boundary_of(of_solid), ray);
+    Boundary boundary;
+    boundary.t = hit.t;
+    boundary.primitive = hit.prim_id;
+    boundary.face = static_cast<std::uint32_t>(hit.v);
+    const Vec3d outside = world_.solid(hit.item).normal(boundary, ray), point = ray.at(hit.t);
+    // Number by number, as they were written.
+    for (int i = 0; i < 3; ++i) at.outside[i] = outside[i], at.point[i] = point[i];
     const double way = hit.t * max_norm(ray.direction);
     at.error = solid_error_ * way + 0x1p-51 * (max_norm(ray.origin) + way);
-    return at;
+    return;
   }
   const Place found = place(hit);
   const Vec3d a(found.placed.a), b(found.placed.b), c(found.placed.c);
@@ -100,7 +103,6 @@ SurfacePoint Surfaces::locate(const Ray<double>& ray, const WorldHit& hit) const
   // Three products and sums, each rounded, of weights whose sum is 1 but for two roundings.
   at.error = 0x1p-50 * (max_norm(a) + max_norm(b) + max_norm(c));
   at.outside = unit_or(glm::cross(b - a, c - a), Vec3d(0, 0, 1));
-  return at;
 }
 
 std::uint32_t Surfaces::material(const WorldHit& hit) const {
@@ -109,21 +111,17 @@ std::uint32_t Surfaces::material(const WorldHit& hit) const {
   return material(hit.item, solid.primitives()[hit.prim_id].material);
 }
 
-Vec3d Surfaces::normal(const WorldHit& hit, const SurfacePoint& at) const {
+Vec3d Surfaces::interpolated_normal(const WorldHit& hit, const SurfacePoint& at) const {
   const Item& item = items_[hit.item];
-  if (!item.mesh || item.mesh->normals.empty()) return at.outside;
   const Vec3d normal = unit_or(item.to_world.normal(place(hit).mixed(item.mesh->normals)), at.outside);
   return glm::dot(normal, at.outside) < 0 ? -normal : normal;
 }
 
-Vec3d Surfaces::local(const WorldHit& hit, const SurfacePoint& at) const {
-  const Item& item = items_[hit.item];
-  if (item.mesh) return place(hit).mixed(item.mesh->mesh->positions());
-  return item.to_world.inverse().point(at.point);
+Vec3d Surfaces::local_of_mesh(const WorldHit& hit) const {
+  return place(hit).mixed(items_[hit.item].mesh->mesh->positions());
 }
 
-Footprint Surfaces::local_footprint(const WorldHit& hit, const SurfacePoint& at, double width) const {
-  if (width == 0) return {};
+Footprint Surfaces::wide_footprint(const WorldHit& hit, const SurfacePoint& at, double width) const {
   const TangentFrame frame = frame_around(at.outside);
   const Affine& back = items_[hit.item].to_world.inverse();
   return {back.vector(width * frame.tangent), back.vector(width * frame.bitangent)};

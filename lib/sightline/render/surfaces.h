@@ -33,7 +33,13 @@ class Surfaces {
   /// Refers to both.
   Surfaces(const Scene& scene, const TraceWorld& world);
 
-  SurfacePoint locate(const Ray<double>& ray, const WorldHit& hit) const;
+  SurfacePoint locate(const Ray<double>& ray, const WorldHit& hit) const {
+    SurfacePoint at;
+    locate(ray, hit, at);
+    return at;
+  }
+  /// The same, in place: copying what was just written would wait for it.
+  void locate(const Ray<double>& ray, const WorldHit& hit, SurfacePoint& at) const;
   /// Number of its material, or no_item.
   std::uint32_t material(const WorldHit& hit) const;
   /// The same of a solid's own material number.
@@ -44,11 +50,19 @@ class Surfaces {
   NodeId node(const WorldHit& hit) const { return world_.origin(hit.item).node; }
 
   /// The normal as shading takes it: interpolated where the mesh has normals of its own. On the side of `outside`.
-  Vec3d normal(const WorldHit& hit, const SurfacePoint& at) const;
+  Vec3d normal(const WorldHit& hit, const SurfacePoint& at) const {
+    const MeshGeometry* mesh = items_[hit.item].mesh;
+    return mesh && !mesh->normals.empty() ? interpolated_normal(hit, at) : at.outside;
+  }
   /// The point in coordinates of the shape.
-  Vec3d local(const WorldHit& hit, const SurfacePoint& at) const;
+  Vec3d local(const WorldHit& hit, const SurfacePoint& at) const {
+    const Item& item = items_[hit.item];
+    return item.mesh ? local_of_mesh(hit) : item.to_world.inverse().point(at.point);
+  }
   /// A square of that width in the world, around the point on the surface, in coordinates of the shape.
-  Footprint local_footprint(const WorldHit& hit, const SurfacePoint& at, double width) const;
+  Footprint local_footprint(const WorldHit& hit, const SurfacePoint& at, double width) const {
+    return width == 0 ? Footprint() : wide_footprint(hit, at, width);
+  }
   /// The place in images: a mesh's own, 0 where it has none; of a solid spherical around its origin. And by how much it
   /// moves for a length in the world, about.
   struct ImagePlace {
@@ -73,6 +87,9 @@ class Surfaces {
   /// A mesh's triangle as it is placed: corners' numbers, and weights.
   struct Place;
   Place place(const WorldHit& hit) const;
+  Vec3d local_of_mesh(const WorldHit& hit) const;
+  Footprint wide_footprint(const WorldHit& hit, const SurfacePoint& at, double width) const;
+  Vec3d interpolated_normal(const WorldHit& hit, const SurfacePoint& at) const;
 
   const Scene& scene_;
   const TraceWorld& world_;

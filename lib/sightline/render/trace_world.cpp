@@ -33,6 +33,9 @@ TraceWorld::TraceWorld(const Scene& scene, const WorldSettings& settings, const 
   origins_ = std::move(meshes.origins);
   origins_.insert(origins_.end(), solids.origins.begin(), solids.origins.end());
 
+  first_solid_ = instances_->size();
+  for (const auto& solid : solids.solids) solid_list_.push_back(solid.get());
+
   TracerSettings of_meshes;
   of_meshes.options = settings.options;
   of_meshes.threads = settings.threads;
@@ -71,7 +74,7 @@ WorldHit TraceWorld::world_hit(const Hit<double>& hit) const {
 
 WorldHit TraceWorld::solid_hit(const Hit<double>& hit) const {
   if (!hit.is_hit()) return {};
-  return {hit.t, instances_->size() + hit.prim_id, static_cast<std::uint32_t>(hit.u), 0, hit.v};
+  return {hit.t, first_solid_ + hit.prim_id, static_cast<std::uint32_t>(hit.u), 0, hit.v};
 }
 
 void TraceWorld::find_meshes(std::span<const Ray<double>> rays, std::span<WorldHit> hits) const {

@@ -59,8 +59,8 @@ class TraceWorld {
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(origins_.size()); }
   const SceneOrigin& origin(std::uint32_t item) const { return origins_[item]; }
-  bool is_solid(std::uint32_t item) const { return item >= instances_->size(); }
-  const Solid& solid(std::uint32_t item) const { return *solids_->solids()[item - instances_->size()]; }
+  bool is_solid(std::uint32_t item) const { return item >= first_solid_; }
+  const Solid& solid(std::uint32_t item) const { return *solid_list_[item - first_solid_]; }
 
   Level level() const { return level_; }
   const Aabb& bounds() const { return bounds_; }
@@ -82,6 +82,8 @@ class TraceWorld {
   std::vector<std::shared_ptr<const Tracer>> mesh_tracers_;  ///< Of placed_.
   std::vector<std::uint32_t> firsts_;  ///< Of each instance its first triangle in the flattened mesh.
   std::unique_ptr<SolidTracer> solids_;
+  std::vector<const Solid*> solid_list_;  ///< Its solids, which begin as item ...
+  std::uint32_t first_solid_;             ///< ... of that number.
   std::vector<SceneOrigin> origins_;
   Aabb bounds_;
   Level level_;
