@@ -23,6 +23,7 @@ refuses 2 '--samples' "$fake" teapot:1 --samples 0
 refuses 2 '--samples' "$fake" teapot:1 --samples -4
 refuses 2 '--error: expected a number from 0' "$fake" teapot:1 --error=-1
 refuses 2 '--error: expected a number' "$fake" teapot:1 --error nan
+refuses 2 '--shadow-error: expected a number from 0' "$fake" teapot:1 --shadow-error=-1
 refuses 2 '--exposure: expected' "$fake" teapot:1 --exposure 65
 refuses 2 '--time: expected a number' "$fake" teapot:1 --time inf
 refuses 2 '--aov: expected names of depth, normal, id, cost, samples' "$fake" teapot:1 --aov depth,colour

@@ -8,8 +8,10 @@
 #include <filesystem>
 #include <functional>
 
+#include "sightline/render/moments.h"
 #include "sightline/scene/round_meshes.h"
 #include "sightline/scene/scenes.h"
+#include "sightline/scene/simple_meshes.h"
 #include "tests/render/little_scenes.h"
 
 namespace sightline::test {
@@ -291,7 +293,45 @@ TEST(Renderer, RefusesBadSettings) {
   refuses([](RenderSettings& s) { s.depth = -1; });
   refuses([](RenderSettings& s) { s.cut_off = std::nan(""); });
   refuses([](RenderSettings& s) { s.error_bound = std::nan(""); });
+  refuses([](RenderSettings& s) { s.shadow_error = -1; });
   refuses([](RenderSettings& s) { s.accelerator = "octree"; });
+}
+
+/// W3: what has not moved is built once for all moments, and seen as if it were not.
+TEST(Renderer, MomentsShareWhatStandsStill) {
+  const auto moving = [](const char* name) {
+    Scene scene = ball_on_floor(lambert(0.5));
+    add_shape(scene, "first", make_box(Vec3d(-1), Vec3d(1)));
+    const auto box = scene.geometries.back().shape;
+    add_shape(scene, "second", box, no_item, Transform::translation({0, 2, 0}));
+    scene.cameras[0].shutter = {0, 1};
+    Channel channel;
+    channel.node = scene.graph.find(name);
+    channel.translation = {{0, 1}, {Vec3d(0), Vec3d(0.5, 0, 0)}};
+    scene.animations.push_back({"motion", {channel}, false});
+    return scene;
+  };
+  const auto moments = [](const Scene& scene, std::uint64_t flatten_up_to) {
+    RenderSettings settings = small(8, 8, 4);
+    settings.flatten_up_to = flatten_up_to;
+    return moments_of(scene, settings, 4);
+  };
+  for (const std::uint64_t flatten_up_to : {std::uint64_t{0}, std::uint64_t{1} << 20}) {
+    const auto ball_moves = moments(moving("/ball"), flatten_up_to),
+               box_moves = moments(moving("/first"), flatten_up_to);
+    ASSERT_EQ(ball_moves.size(), 4u);
+    ASSERT_EQ(box_moves.size(), 4u);
+    for (std::size_t i = 1; i < 4; ++i) {
+      EXPECT_TRUE(ball_moves[i]->world->shares_meshes_with(*ball_moves[0]->world));
+      EXPECT_EQ(box_moves[i]->world->shares_meshes_with(*box_moves[0]->world), flatten_up_to == 0);
+    }
+  }
+  const auto picture = [&](std::uint64_t flatten_up_to) {
+    RenderSettings settings = small(16, 12, 4);
+    settings.flatten_up_to = flatten_up_to;
+    return render(moving("/first"), settings).tile.sums;
+  };
+  EXPECT_EQ(picture(0), picture(std::uint64_t{1} << 20));
 }
 
 }  // namespace

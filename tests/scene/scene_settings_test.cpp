@@ -35,6 +35,7 @@ TEST(SceneSettings, AreOffUnlessAskedFor) {
   EXPECT_EQ(scene.render.samples, 1u);
   EXPECT_EQ(scene.render.depth, 8u);
   EXPECT_EQ(scene.render.cut_off, 0x1p-9);
+  EXPECT_EQ(scene.render.shadow_error, 0x1p-8);
   EXPECT_FALSE(scene.render.interreflection);
   EXPECT_EQ(scene.cameras.at(0).aperture, 0);
   EXPECT_EQ(scene.cameras[0].shutter, (std::array<double, 2>{0, 0}));
@@ -48,7 +49,8 @@ TEST(SceneSettings, SayWhatTheySay) {
     "background": {"zenith": [0.25, 0.5, 1], "horizon": [1, 1, 1], "ground": [0.5, 0, 0], "intensity": 2, "lights": true},
     "ambient": {"color": [0.1, 0.2, 0.3], "occlusion_distance": 4},
     "fog": {"density": 0.5, "color": "#ffffff"},
-    "render": {"samples": 64, "depth": 3, "interreflection": true, "cut_off": 0},
+    "render": {"samples": 64, "depth": 3, "interreflection": true, "cut_off": 0,
+               "shadow_error": 0.25},
     "materials": {"m": {"dents": {"height": -0.5, "noise": "improved", "fractal": "ridged", "octaves": 3, "lacunarity": 3,
                                   "gain": 0.25, "frequency": 7, "warp": 2, "seed": 9}}},
     "objects": [
@@ -71,6 +73,7 @@ TEST(SceneSettings, SayWhatTheySay) {
   EXPECT_EQ(scene.render.depth, 3u);
   EXPECT_TRUE(scene.render.interreflection);
   EXPECT_EQ(scene.render.cut_off, 0);
+  EXPECT_EQ(scene.render.shadow_error, 0.25);
   ASSERT_TRUE(scene.materials[0].dents);
   const DentOptions& dents = *scene.materials[0].dents;
   EXPECT_EQ(dents.height, -0.5);
@@ -148,6 +151,7 @@ TEST(SceneSettings, BadOnesAreRefusedInOneLine) {
       {R"({"render": {"samples": 1.5}})", ":/render/samples: expected a whole number, found 1.5"},
       {R"({"render": {"depht": 1}})", R"(found "depht" (is "depth" meant?))"},
       {R"({"render": {"cut_off": 2}})", ":/render/cut_off: expected a number from 0.0 to 1.0, found 2"},
+      {R"({"render": {"shadow_error": -1}})", ":/render/shadow_error: expected a number from 0.0 to 1.0, found -1"},
       {R"({"objects": [{"camera": {"aperture": 1}}]})",
        R"(:/objects/0/camera: expected a "focus_distance" above 0 beside "aperture", found none)"},
       {R"({"objects": [{"camera": {"shutter": [1, 0]}}]})", ":/objects/0/camera/shutter/1: expected a time at which"},

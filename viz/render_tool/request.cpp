@@ -39,7 +39,7 @@ struct Texts {
   std::string size = "640x480", accelerator, precision = "watertight", aovs;
   std::vector<std::string> settings;
   int depth = 0;
-  double cut_off = 0;
+  double cut_off = 0, shadow_error = 0;
 };
 
 [[noreturn]] void refuse(const std::string& option, const std::string& expected, const std::string& found) {
@@ -130,6 +130,11 @@ std::optional<int> parse_request(int argc, const char* const* argv, Request& req
                  "The standard error of a pixel's luminance at which it is good enough, and as a share of it where it "
                  "is above 1; default 0: each gets all samples")
       ->option_text("BOUND");
+  app.add_option(
+         "--shadow-error", texts.shadow_error,
+         "The standard error of a pixel's luminance that rays to area lights which are not sent may add; 0 sends "
+         "all; default: as the scene says")
+      ->option_text("BOUND");
   app.add_option("--depth", texts.depth, "Reflections and refractions, one after the other; default: as the scene says")
       ->check(CLI::Range(0, 1000))
       ->option_text("N");
@@ -169,16 +174,19 @@ std::optional<int> parse_request(int argc, const char* const* argv, Request& req
 
   if (request.scene.empty()) throw std::invalid_argument("expected a scene, found none (see --help)");
   if (app.count("--depth") > 0) settings.depth = texts.depth;
+  if (app.count("--shadow-error") > 0) settings.shadow_error = texts.shadow_error;
   if (app.count("--cut-off") > 0) settings.cut_off = texts.cut_off;
   for (const auto& [option, value] :
        std::initializer_list<std::pair<const char*, double>>{{"--time", settings.time},
                                                              {"--exposure", request.exposure},
                                                              {"--error", settings.error_bound},
                                                              {"--cut-off", texts.cut_off},
+                                                             {"--shadow-error", texts.shadow_error},
                                                              {"--checkpoint", request.checkpoint_interval}}) {
     require_finite(option, value);
   }
   if (settings.error_bound < 0) refuse("--error", "a number from 0", std::to_string(settings.error_bound));
+  if (texts.shadow_error < 0) refuse("--shadow-error", "a number from 0", std::to_string(texts.shadow_error));
   if (texts.cut_off < 0) refuse("--cut-off", "a number from 0", std::to_string(texts.cut_off));
   if (std::fabs(request.exposure) > 64) refuse("--exposure", "-64 to 64", std::to_string(request.exposure));
   if (request.checkpoint_interval < 0) {
@@ -191,8 +199,8 @@ std::optional<int> parse_request(int argc, const char* const* argv, Request& req
   if (request.out.empty()) request.out = name_of_picture(request.scene);
   check_name(request.out);
 
-  for (const char* name : {"--error", "--depth", "--cut-off", "--precision", "--accel", "--set", "--camera", "--time",
-                           "--seed", "--exposure"}) {
+  for (const char* name : {"--error", "--shadow-error", "--depth", "--cut-off", "--precision", "--accel", "--set",
+                           "--camera", "--time", "--seed", "--exposure"}) {
     if (app.count(name) == 0) continue;
     std::string value;
     for (const std::string& text : app.get_option(name)->results()) value += (value.empty() ? "" : " ") + text;

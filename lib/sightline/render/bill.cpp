@@ -53,6 +53,18 @@ std::string aligned(const std::vector<BillLine>& lines) {
   return text;
 }
 
+/// What trials have spared.
+std::string spared_text(const RenderCounters& counters) {
+  const std::uint64_t spared = counters.shadow_rays_spared, sent = counters[Effect::soft_shadow];
+  if (spared + counters.shadow_trials == 0) return "";
+  const double share = 100.0 * static_cast<double>(spared) / static_cast<double>(spared + sent);
+  char line[128];
+  std::snprintf(line, sizeof line, "soft shadow: %llu rays sent, %llu of them trials; %llu spared (%.0f %%)\n",
+                static_cast<unsigned long long>(sent), static_cast<unsigned long long>(counters.shadow_trials),
+                static_cast<unsigned long long>(spared), share);
+  return line;
+}
+
 }  // namespace
 
 Bill sample_bill(const Renderer& renderer, std::uint32_t pixels, std::uint32_t samples) {
@@ -97,6 +109,7 @@ std::string plan_text(const Renderer& renderer, const Bill& bill) {
                      share_text(bill.times.of_effects[i], whole)});
   }
   std::string text = aligned(lines);
+  if (plan.analysis.effects.has(Effect::soft_shadow)) text += spared_text(bill.counters);
   for (const EffectRequest& declined : plan.analysis.declined) {
     text += "not simulated: " + std::string(effect_names[index_of(declined.effect)]) + ", asked for by " +
             declined.who + '\n';

@@ -17,7 +17,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "numbers are stored as they are in memory");
 
 /// The last character counts versions: with each change of the format, or of what a sample is.
-constexpr std::string_view magic = "sightline film 1";
+constexpr std::string_view magic = "sightline film 2";
 
 /// Of bytes, eight at a time, and of how many they are.
 std::uint64_t checksum(std::string_view bytes) {
@@ -74,13 +74,14 @@ void move_head(Archive& archive, State& film, std::uint64_t& fingerprint) {
   archive(fingerprint), archive(film.asks), archive(film.end_of_pass);
   for (auto& count : film.counters.counts) archive(count);
   archive(film.counters.camera_rays), archive(film.counters.rays_cut_off);
+  archive(film.counters.shadow_trials), archive(film.counters.shadow_rays_spared);
 }
 
 template <class Archive, class State>
 void move_pixel(Archive& archive, State& film, std::size_t pixel) {
   auto& sum = film.sums[pixel];
   archive(sum.color.x), archive(sum.color.y), archive(sum.color.z), archive(sum.luminance_squares);
-  archive(sum.samples);
+  archive(sum.samples), archive(sum.lamps_seen);
   auto& facts = film.facts[pixel];
   archive(facts.depth), archive(facts.normal.x), archive(facts.normal.y), archive(facts.normal.z);
   archive(facts.object), archive(facts.work);

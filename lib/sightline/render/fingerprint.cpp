@@ -156,7 +156,7 @@ std::uint64_t fingerprint_of(const RenderScene& scene, const RenderSettings& set
   Fingerprint print;
   for (const int size : {settings.width, settings.height}) print.add(size);
   for (const std::uint32_t number : {settings.samples, settings.light_samples, scene.depth}) print.add(number);
-  for (const double number : {settings.error_bound, scene.cut_off}) print.add(number);
+  for (const double number : {settings.error_bound, scene.cut_off, scene.shadow_error2}) print.add(number);
   print.add(settings.seed);
   print.add(settings.level);
   print.add(settings.filters_textures);

@@ -5,7 +5,8 @@
 /// kind of ray, until none is left. So structures get neighbouring rays together, each wave's time and number belong to
 /// one effect, and what no effect asks for is no instruction.
 ///   I1  What a sample adds to its pixel depends on its pixel, its number and the scene: not on the tile, nor on which
-///       effects were compiled besides those that are used. Draws are by purpose (sampler.h), and waves follow each
+///       effects were compiled besides those that are used. What earlier samples of the pixel found (LampsSeen) does
+///       too. Draws are by purpose (sampler.h), and waves follow each
 ///       other in one order, so that sums have one order.
 ///   I2  Each surface scatters at most what it takes in: mirror, glass and diffuse parts share it by Fresnel's law.
 /// Whitted, "An Improved Illumination Model for Shaded Display", 1980; Cook, Porter and Carpenter, "Distributed Ray
@@ -23,6 +24,7 @@
 #include "sightline/render/render_scene.h"
 #include "sightline/render/sampler.h"
 #include "sightline/render/scattering.h"
+#include "sightline/render/shadow_choice.h"
 #include "sightline/render/stage_clock.h"
 
 namespace sightline {
@@ -55,16 +57,25 @@ struct FirstPath {
 struct RayWave {
   std::vector<Ray<double>> rays;
   std::vector<Path> paths;
+  std::vector<double> densities;  ///< Of their directions, where the sky is asked in two ways; else empty.
 
   bool is_empty() const { return rays.empty(); }
   void clear() {
     rays.clear();
     paths.clear();
+    densities.clear();
   }
   void add(const Ray<double>& ray, const Path& path) {
     rays.push_back(ray);
     paths.push_back(path);
   }
+};
+
+/// A ray to an area lamp that was chosen to be sent.
+struct AreaRay {
+  std::uint32_t lamp;  ///< Among area lamps.
+  float guess;         ///< Of what it will find; that is in the pixel already.
+  bool is_trial;
 };
 
 /// Light that arrives if nothing is in between.
@@ -89,7 +100,9 @@ class Integrator {
  public:
   /// `times` may be null.
   Integrator(const RenderScene& scene, RenderCounters& counters, StageTimes* times)
-      : scene_(scene), counters_(counters), times_(times) {}
+      : scene_(scene), counters_(counters), times_(times) {
+    if constexpr (has.has(Effect::environment)) bright_ = scene.sky->distribution();
+  }
 
   /// As PictureSource asks for them.
   void add_samples(TileBuffer& tile, std::span<const std::uint32_t> pixels, SampleRange range, FactsAsked facts);
@@ -109,6 +122,8 @@ class Integrator {
   static constexpr bool has_more_rays = is_specular || has.has(Effect::interreflection);
   /// Whether shading asks how wide rays are where they meet surfaces; paint() finds that out by itself.
   static constexpr bool has_footprints = has.has(Effect::image_texture) || has.has(Effect::normal_map);
+  /// Whether glossy surfaces may ask the sky where it is bright, too.
+  static constexpr bool has_bright_gloss = has.has(Effect::glossy) && has.has(Effect::environment);
   /// Whether anything asks for lengths along rays, and for directions of unit length.
   static constexpr bool has_lengths =
       is_specular || has_footprints || has.has(Effect::absorption) || has.has(Effect::fog);
@@ -157,6 +172,9 @@ class Integrator {
   void follow();
   void trace(RayWave& wave, StageTimes::Clock::duration* time);
   void see();
+  void see_areas();
+  void recall(const TileBuffer& tile, std::span<const PixelPlace> places);
+  void remember(TileBuffer& tile, std::span<const PixelPlace> places) const;
   Color passed(const Ray<double>& ray);
   /// Of a sample of the wave of the camera.
   Sampler sampler(std::uint32_t slot) const {
@@ -164,20 +182,28 @@ class Integrator {
     return {scene_.seed, row * static_cast<std::uint32_t>(moment_->lens.camera.width) + column, sample_};
   }
 
+  /// Not in fog, which dims paths and not rays to lights.
+  bool asks_bright_sky(const SurfaceMaterial& material, const AnyPath& path) const {
+    return has_bright_gloss && bright_ && material.is_glossy && path.depth < scene_.depth && scene_.fog.density == 0;
+  }
+
   // integrator_painting.h
   void paint(const RayWave& wave);
   void finish_strokes();
 
   // integrator_shading.h; what is called once goes in line, so that nothing of a hit has to be written to memory
-  void shade_miss(const Ray<double>& ray, AnyPath& path);
+  void shade_miss(const Ray<double>& ray, AnyPath& path, double density);
   [[gnu::always_inline]] inline void shade(const Ray<double>& ray, AnyPath& path, std::size_t place);
   void in_fog(double length, Path& path, Color& light) const;
   [[gnu::always_inline]] inline Color color_at(const Shade& shade, const AnyPath& path, std::size_t place);
   Vec3d normal_at(const Shade& shade, const AnyPath& path);
   Color share_out(Shade& shade, const Path& path);
   [[gnu::always_inline]] inline void shine(const Shade& shade, const AnyPath& path, const Color& diffuse);
+  void add_area_ray(const Shade& shade, const AnyPath& path, const LampLight& from, Color light, std::uint32_t lamp,
+                    std::uint32_t which);
   Color highlight(const Shade& shade, const Vec3d& to_lamp, double cosine) const;
   [[gnu::always_inline]] inline void look_around(const Shade& shade, const AnyPath& path, const Color& diffuse);
+  void look_at_sky(const Shade& shade, const AnyPath& path, const Color& diffuse);
   [[gnu::always_inline]] inline void add_sight(Sight sight, const Shade& shade, const Vec3d& direction, double length,
                                                const Color& light, std::uint32_t slot);
   void go_on(Kind kind, const Shade& shade, const Path& path, const Vec3d& direction, const Color& weight);
@@ -186,6 +212,7 @@ class Integrator {
   RenderCounters& counters_;
   StageTimes* times_;
 
+  const SkyDistribution* bright_ = nullptr;  ///< Null where only surfaces choose directions to the sky.
   const Moment* moment_ = nullptr;
   float pixel_width_ = 0;  ///< Of the camera, at t = 1.
   std::uint32_t sample_ = 0;
@@ -194,6 +221,9 @@ class Integrator {
   RayWave current_;
   std::array<RayWave, kind_count> next_;
   std::array<Sights, sight_count> sights_;
+  std::vector<AreaRay> area_rays_;                     ///< To those of sights_[to_area].
+  std::array<LampsSeen, wave_size> known_{}, seen_{};  ///< By earlier samples, and by this one.
+  bool is_trial_ = false;                              ///< Whether this one's rays are to tell later ones.
   std::vector<WorldHit> hits_;
   std::vector<Painted> painted_;  ///< As hits_ are.
   Strokes strokes_;

@@ -44,12 +44,14 @@ void Integrator<has>::add_samples(TileBuffer& tile, std::span<const std::uint32_
     moment_ = scene_.moments[sample_ % scene_.moments.size()].get();
     for (std::size_t first = 0; first < order.size(); first += wave_size) {
       const auto places = std::span(order).subspan(first, std::min(wave_size, order.size() - first));
+      if constexpr (has.has(Effect::soft_shadow)) recall(tile, places);
       look(places);
       trace(current_, StageClock::camera(times_));
       if (sample_ == 0 && facts != FactsAsked::none) note_facts(tile, places, facts);
       see();
       follow();
       for (std::size_t i = 0; i < places.size(); ++i) tile.sums[places[i].in_tile].add(radiance_[i]);
+      if constexpr (has.has(Effect::soft_shadow)) remember(tile, places);
     }
   }
 }
@@ -62,6 +64,7 @@ void Integrator<has>::look(std::span<const PixelPlace> places) {
   pixel_width_ = static_cast<float>(2 * glm::length(row));
   const bool is_spread = scene_.effects.has(Effect::antialiasing);
   places_ = places;
+  current_.densities.clear();
   current_.rays.resize(places.size());
   if constexpr (!is_slim) current_.paths.resize(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -163,7 +166,7 @@ void Integrator<has>::trace(RayWave& wave, StageTimes::Clock::duration* time) {
     if (is_hit)
       shade(wave.rays[i], *path, i);
     else
-      shade_miss(wave.rays[i], *path);
+      shade_miss(wave.rays[i], *path, wave.densities.empty() ? 0 : wave.densities[i]);
   }
 }
 
@@ -179,14 +182,17 @@ void Integrator<has>::see() {
       is_stopped_.resize(sights.rays.size());
       const TraceWorld& world = has.has(Effect::refraction) && moment_->opaque ? *moment_->opaque : *moment_->world;
       world.any_hits(sights.rays, is_stopped_);
-      for (std::size_t i = 0; i < sights.rays.size(); ++i) {
-        if (is_stopped_[i]) continue;
-        Color light = sights.lights[i].color;
-        if constexpr (has.has(Effect::refraction)) {
-          if (moment_->clear) light *= passed(sights.rays[i]);
+      if constexpr (sight == to_area) {
+        see_areas();
+      } else
+        for (std::size_t i = 0; i < sights.rays.size(); ++i) {
+          if (is_stopped_[i]) continue;
+          Color light = sights.lights[i].color;
+          if constexpr (has.has(Effect::refraction)) {
+            if (moment_->clear) light *= passed(sights.rays[i]);
+          }
+          radiance_[sights.lights[i].slot] += Vec3d(light);
         }
-        radiance_[sights.lights[i].slot] += Vec3d(light);
-      }
       sights.clear();
     }
   };
@@ -194,6 +200,50 @@ void Integrator<has>::see() {
   ask.template operator()<to_area>();
   ask.template operator()<to_occluder>();
   ask.template operator()<to_sky>();
+}
+
+/// Where some rays are not sent, those that were count for them.
+template <Effects has>
+void Integrator<has>::see_areas() {
+  if constexpr (has.has(Effect::soft_shadow)) {
+    const Sights& sights = sights_[to_area];
+    for (std::size_t i = 0; i < sights.rays.size(); ++i) {
+      const auto& [color, slot] = sights.lights[i];
+      const AreaRay& ray = area_rays_[i];
+      Color found(is_stopped_[i] ? 0.0f : 1.0f);
+      if constexpr (has.has(Effect::refraction)) {
+        if (moment_->clear && !is_stopped_[i]) found = passed(sights.rays[i]);
+      }
+      if (ray.is_trial) {
+        seen_[slot].add(ray.lamp, found != Color(0), found != Color(1));
+        ++counters_.shadow_trials;
+      }
+      found -= ray.guess;
+      if (found != Color(0)) radiance_[slot] += Vec3d(color * found);
+    }
+    area_rays_.clear();
+  }
+}
+
+/// What earlier samples found of lamps: where the scene is another at each moment, nothing that holds.
+template <Effects has>
+void Integrator<has>::recall(const TileBuffer& tile, std::span<const PixelPlace> places) {
+  const bool asks = scene_.shadow_error2 > 0 && scene_.moments.size() == 1 && moment_->area_lamps > 0;
+  is_trial_ = asks && sample_ < LampsSeen::trials;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    known_[i] = LampsSeen(asks && !is_trial_ ? tile.sums[places[i].in_tile].lamps_seen : 0);
+    seen_[i] = LampsSeen();
+  }
+}
+
+template <Effects has>
+void Integrator<has>::remember(TileBuffer& tile, std::span<const PixelPlace> places) const {
+  if (!is_trial_) return;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    LampsSeen all(tile.sums[places[i].in_tile].lamps_seen);
+    all.add(seen_[i]);
+    tile.sums[places[i].in_tile].lamps_seen = all.bits();
+  }
 }
 
 /// The share of light that what is transparent lets through, as if it went straight on.

@@ -1,20 +1,28 @@
 #pragma once
-/// How an Integrator's surfaces take light.
+/// How an Integrator's surfaces take light. What they ask of lights is in integrator_lights.h.
 
 #include <cmath>
 #include <numbers>
 
+#include "sightline/render/integrator_lights.h"
 #include "sightline/render/integrator_painting.h"
 #include "sightline/texture/normal_map.h"
 
 namespace sightline {
 
 template <Effects has>
-void Integrator<has>::shade_miss(const Ray<double>& ray, AnyPath& path) {
+void Integrator<has>::shade_miss(const Ray<double>& ray, AnyPath& path, [[maybe_unused]] double density) {
   Color light(0);
   if constexpr (has.has(Effect::fog)) in_fog(std::numeric_limits<double>::infinity(), path, light);
   const bool is_lit = !path.is_scattered || scene_.sky_lights;
-  if (scene_.has_sky && is_lit) light += path.weight * scene_.sky->toward(glm::normalize(ray.direction));
+  if (scene_.has_sky && is_lit) {
+    const Vec3d way = glm::normalize(ray.direction);
+    Color seen = path.weight * scene_.sky->toward(way);
+    if constexpr (has_bright_gloss) {
+      if (density > 0) seen *= balance(density, bright_->density(way));
+    }
+    light += seen;
+  }
   if (light != Color(0)) radiance_[path.slot] += Vec3d(light);
 }
 
@@ -84,6 +92,9 @@ void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, std::size_t p
   if (light != Color(0)) radiance_[path.slot] += Vec3d(light);
   shine(shade, path, diffuse);
   if (diffuse != Color(0)) look_around(shade, path, diffuse);
+  if constexpr (has.has(Effect::environment)) {
+    if (bright_) look_at_sky(shade, path, diffuse);
+  }
 }
 
 template <Effects has>
@@ -128,14 +139,6 @@ Vec3d Integrator<has>::normal_at(const Shade& shade, const AnyPath& path) {
   }
   if (normal == shade.at.outside && std::fabs(shade.slant) > 0) return shade.side;
   return facing_normal(normal, shade.at.outside, shade.to_viewer);
-}
-
-/// What is reflected of light that comes at this angle to a facet.
-inline Color reflectance(const SurfaceMaterial& material, const Color& color, double dielectric, double cos_facet) {
-  const auto metallic = static_cast<float>(material.values.metallic);
-  Color share(static_cast<float>(dielectric) * (1 - metallic));
-  if (metallic > 0) share += metallic * fresnel_of_metal(color, cos_facet);
-  return share;
 }
 
 /// Sends on what is mirrored and what passes, and returns what is left to be scattered to all sides (I2).
@@ -185,6 +188,14 @@ Color Integrator<has>::share_out(Shade& shade, const Path& path) {
         seen *= cos_out > 0 ? static_cast<float>(facets.seen_by_both(cos_view, cos_out) / facets.seen(cos_view)) : 0;
       }
       go_on(material.is_glossy ? spread : mirrored, shade, path, direction, seen * reflection);
+      if constexpr (has_bright_gloss) {
+        RayWave& wave = next_[spread];
+        if (asks_bright_sky(material, path) && wave.densities.size() < wave.rays.size()) {
+          wave.densities.push_back(
+              Microfacets(values.roughness)
+                  .density_of_reflected(glm::dot(shade.normal, shade.to_viewer), glm::dot(shade.normal, facet)));
+        }
+      }
     }
   }
   if constexpr (has.has(Effect::refraction)) {
@@ -194,82 +205,6 @@ Color Integrator<has>::share_out(Shade& shade, const Path& path) {
     }
   }
   return diffuse;
-}
-
-/// Asks the lamps.
-template <Effects has>
-void Integrator<has>::shine(const Shade& shade, const AnyPath& path, const Color& diffuse) {
-  const SurfaceMaterial& material = shade.material;
-  const bool is_glossy = has.has(Effect::glossy) && material.is_glossy;
-  if (diffuse == Color(0) && !is_glossy) return;
-  const std::vector<Lamp>& lamps = moment_->lamps;
-  for (std::uint32_t i = 0; i < lamps.size(); ++i) {
-    const Lamp& lamp = lamps[i];
-    const bool is_area = has.has(Effect::soft_shadow) && lamp.is_area();
-    const std::uint32_t count = is_area ? scene_.light_samples : 1;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      glm::dvec2 place(0.5);
-      if (is_area) place = sampler(path.slot).square(Draw::light, path.depth, i << 8 | k);
-      const LampLight from = light_of(lamp, shade.at.point, place);
-      const double cosine = glm::dot(shade.normal, from.to_lamp);
-      if (!(cosine > 0) || (shade.is_bent && !(glm::dot(shade.side, from.to_lamp) > 0))) continue;
-      ++counters_[Effect::direct_light];
-      Color share = static_cast<float>(cosine * std::numbers::inv_pi) * diffuse;
-      if constexpr (has.has(Effect::glossy)) {
-        if (is_glossy) share += highlight(shade, from.to_lamp, cosine);
-      }
-      Color light = path.weight * share * from.irradiance;
-      if (is_area) light /= static_cast<float>(count);
-      if (light == Color(0)) continue;
-      add_sight(is_area ? to_area : to_point, shade, from.to_lamp, from.distance, light, path.slot);
-    }
-  }
-}
-
-/// What facets send to the viewer of a lamp's irradiance, their cosine included.
-template <Effects has>
-Color Integrator<has>::highlight(const Shade& shade, const Vec3d& to_lamp, double cosine) const {
-  const Vec3d facet = glm::normalize(to_lamp + shade.to_viewer);
-  const double cos_view = glm::dot(shade.normal, shade.to_viewer);
-  const double cos_facet = std::clamp(glm::dot(facet, shade.to_viewer), 0.0, 1.0);
-  const Microfacets facets(shade.material.values.roughness);
-  const double share =
-      facets.density(glm::dot(shade.normal, facet)) * facets.seen_by_both(cos_view, cosine) / (4 * cos_view);
-  const double dielectric = shade.material.has_coat ? fresnel(cos_facet, shade.eta) : 0;
-  return static_cast<float>(share) * reflectance(shade.material, shade.color, dielectric, cos_facet);
-}
-
-/// Asks what is all around: nothing but what shuts it out, the sky, or surfaces that light this one.
-template <Effects has>
-void Integrator<has>::look_around(const Shade& shade, const AnyPath& path, const Color& diffuse) {
-  const auto direction = [&](Draw purpose) {
-    const Vec3d up = cosine_direction(sampler(path.slot).square(purpose, path.depth));
-    return frame_around(shade.normal).to_world(up);
-  };
-  if constexpr (has.has(Effect::ambient_occlusion)) {
-    if (scene_.effects.has(Effect::ambient_occlusion)) {
-      const Vec3d way = direction(Draw::occlusion);
-      if (glm::dot(way, shade.side) > 0) {
-        add_sight(to_occluder, shade, way, scene_.ambient.occlusion_distance,
-                  path.weight * diffuse * scene_.ambient.color, path.slot);
-      }
-    }
-  }
-  if constexpr (has.has(Effect::environment)) {
-    if (scene_.effects.has(Effect::environment)) {
-      const Vec3d way = direction(Draw::environment);
-      if (glm::dot(way, shade.side) > 0) {
-        add_sight(to_sky, shade, way, std::numeric_limits<double>::infinity(),
-                  path.weight * diffuse * scene_.sky->toward(way), path.slot);
-      }
-    }
-  }
-  if constexpr (has.has(Effect::interreflection)) {
-    if (scene_.effects.has(Effect::interreflection) && shade.goes_scattered > 0) {
-      const Vec3d way = direction(Draw::diffuse);
-      if (glm::dot(way, shade.side) > 0) go_on(scattered, shade, path, way, shade.goes_scattered * diffuse);
-    }
-  }
 }
 
 template <Effects has>

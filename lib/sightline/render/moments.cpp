@@ -85,7 +85,8 @@ bool has_transparent_part(const Scene& scene, const SolidTree& tree) {
   return is_transparent(scene, material_named(scene, tree.material, no_item));
 }
 
-std::unique_ptr<Moment> moment_of(Scene posed, const RenderSettings& settings) {
+/// \param before the moment before, of which is taken what has not moved; may be null.
+std::unique_ptr<Moment> moment_of(Scene posed, const RenderSettings& settings, const Moment* before) {
   auto moment = std::make_unique<Moment>();
   moment->posed = std::move(posed);
   const Scene& scene = moment->posed;
@@ -95,11 +96,12 @@ std::unique_ptr<Moment> moment_of(Scene posed, const RenderSettings& settings) {
   of_world.flatten_up_to = settings.flatten_up_to;
   of_world.level = settings.level;
   of_world.threads = settings.threads;
-  moment->world = std::make_unique<TraceWorld>(scene, of_world);
+  moment->world = std::make_unique<TraceWorld>(scene, of_world, SceneFilter{}, before ? before->world.get() : nullptr);
   moment->surfaces = std::make_unique<Surfaces>(scene, *moment->world);
   moment->lens = lens_of(scene, settings, moment->world->bounds());
   moment->lamps = lamps_of(scene);
   if (!has_light(scene, *moment->world)) light_up(*moment);
+  for (const Lamp& lamp : moment->lamps) moment->area_lamps += lamp.is_area();
 
   // R1
   const auto lets_light_through = [&](const SceneOrigin& origin) {
@@ -110,9 +112,11 @@ std::unique_ptr<Moment> moment_of(Scene posed, const RenderSettings& settings) {
   for (std::uint32_t i = 0; i < moment->world->size(); ++i)
     is_any = is_any || lets_light_through(moment->world->origin(i));
   if (is_any) {
-    moment->clear = std::make_unique<TraceWorld>(scene, of_world, lets_light_through);
+    moment->clear =
+        std::make_unique<TraceWorld>(scene, of_world, lets_light_through, before ? before->clear.get() : nullptr);
     moment->opaque = std::make_unique<TraceWorld>(
-        scene, of_world, [&](const SceneOrigin& origin) { return !lets_light_through(origin); });
+        scene, of_world, [&](const SceneOrigin& origin) { return !lets_light_through(origin); },
+        before ? before->opaque.get() : nullptr);
     moment->clear_surfaces = std::make_unique<Surfaces>(scene, *moment->clear);
   }
   return moment;
@@ -147,7 +151,9 @@ std::vector<std::unique_ptr<Moment>> moments_of(const Scene& scene, const Render
     poses.erase(poses.begin() + 1, poses.end());
   }
   std::vector<std::unique_ptr<Moment>> moments;
-  for (Scene& pose : poses) moments.push_back(moment_of(std::move(pose), settings));
+  for (Scene& pose : poses) {
+    moments.push_back(moment_of(std::move(pose), settings, moments.empty() ? nullptr : moments.back().get()));
+  }
   return moments;
 }
 

@@ -8,7 +8,8 @@
 
 namespace sightline {
 
-/// Moments of a shutter that is open while something moves. More show motion more evenly, and take as much memory each.
+/// Moments of a shutter that is open while something moves. More show motion more evenly; each takes memory for what
+/// moves.
 inline constexpr std::uint32_t most_moments = 16;
 
 /// The scene's camera that the settings name, or else its first; nullptr where it has none.

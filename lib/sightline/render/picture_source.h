@@ -16,6 +16,7 @@ struct PixelSum {
   Vec3d color{0};
   double luminance_squares = 0;  ///< Of each sample's luminance: with their sum it tells how they scatter.
   std::uint32_t samples = 0;
+  std::uint32_t lamps_seen = 0;  ///< Bits of LampsSeen, by the first samples: what they found spares later ones rays.
 
   /// Rec. 709, linear.
   static double luminance(const Vec3d& color) { return 0.2126 * color.x + 0.7152 * color.y + 0.0722 * color.z; }
@@ -63,8 +64,9 @@ struct SampleRange {
 /// What is wanted of facts; they take time.
 enum class FactsAsked : std::uint8_t { none, seen, with_work };
 
-/// Const, and safe to ask from many threads. A sample is a function of its pixel and its number alone: so a picture is
-/// the same bits whatever the tiles, their order, and the number of threads.
+/// Const, and safe to ask from many threads. A sample is a function of its pixel, its number, and what PixelSum has of
+/// the pixel's samples before it: so a picture is the same bits whatever the tiles, their order, and the number of
+/// threads.
 class PictureSource {
  public:
   virtual ~PictureSource() = default;

@@ -12,7 +12,9 @@ namespace sightline {
 struct RenderCounters {
   std::array<std::uint64_t, effect_count> counts{};
   std::uint64_t camera_rays = 0;
-  std::uint64_t rays_cut_off = 0;  ///< Not traced, because they could add too little (Hall).
+  std::uint64_t rays_cut_off = 0;        ///< Not traced, because they could add too little (Hall).
+  std::uint64_t shadow_trials = 0;       ///< Rays to area lamps that told whether later ones are needed,
+  std::uint64_t shadow_rays_spared = 0;  ///< and those that were not.
 
   std::uint64_t& operator[](Effect effect) { return counts[index_of(effect)]; }
   std::uint64_t operator[](Effect effect) const { return counts[index_of(effect)]; }
@@ -21,6 +23,8 @@ struct RenderCounters {
     for (std::size_t i = 0; i < effect_count; ++i) counts[i] += others.counts[i];
     camera_rays += others.camera_rays;
     rays_cut_off += others.rays_cut_off;
+    shadow_trials += others.shadow_trials;
+    shadow_rays_spared += others.shadow_rays_spared;
     return *this;
   }
   friend bool operator==(const RenderCounters&, const RenderCounters&) = default;

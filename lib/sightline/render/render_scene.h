@@ -32,6 +32,7 @@ struct Moment {
   std::unique_ptr<TraceWorld> world, opaque, clear;
   std::unique_ptr<Surfaces> surfaces, clear_surfaces;
   std::vector<Lamp> lamps;
+  std::uint32_t area_lamps = 0;  ///< How many of them are areas.
   Lens lens;
 };
 
@@ -47,6 +48,7 @@ struct RenderScene {
   std::uint32_t depth = 8;
   double cut_off = 0;
   std::uint32_t light_samples = 1;
+  double shadow_error2 = 0;  ///< The square that rays to area lamps may add to a sample's luminance; 0: all are sent.
   std::uint64_t seed = 0;
   bool has_sky = false;        ///< That is not black.
   bool sky_lights = false;     ///< Surfaces that scatter, too.

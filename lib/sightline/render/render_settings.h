@@ -18,6 +18,9 @@ struct RenderSettings {
   double error_bound = 0;         ///< Of a pixel's luminance, as its standard error; 0: every pixel gets all samples.
   std::optional<int> depth;       ///< Of reflections and refractions, one after the other; none: as the scene says.
   std::optional<double> cut_off;  ///< What could add less than this to a pixel is not traced (Hall); 0: all is.
+  std::optional<double> shadow_error;  ///< That rays to area lamps which are not sent may add to a pixel's luminance,
+                                       ///< as its standard error (shadow_choice.h); 0: all are sent; none: as the scene
+                                       ///< says.
   std::uint32_t light_samples =
       0;                         ///< Of an area light at each surface; 0: 16 in all for pixels of few samples, else 1.
   bool filters_textures = true;  ///< As wide as a pixel; without, textures are what they are at a point.

@@ -42,6 +42,7 @@ Renderer::Renderer(std::shared_ptr<const Scene> scene, const RenderSettings& set
   require(settings.error_bound >= 0, "error bound", "a number of at least 0");
   require(settings.depth.value_or(0) >= 0, "depth", "at least 0");
   require(settings.cut_off.value_or(0) >= 0, "cut-off", "a number of at least 0");
+  require(settings.shadow_error.value_or(0) >= 0, "shadow error", "a number of at least 0");
   const RenderHints& hints = scene->render;
   if (settings_.samples == 0) settings_.samples = hints.samples;
   if (settings_.light_samples == 0) {
@@ -50,19 +51,23 @@ Renderer::Renderer(std::shared_ptr<const Scene> scene, const RenderSettings& set
   std::vector<std::unique_ptr<Moment>> moments = moments_of(*scene, settings_, settings_.samples);
   const Moment& first = *moments[0];
   ready_.materials = std::make_unique<const MaterialTable>(first.posed, used_materials(first));
-  ready_.sky = std::make_unique<const Sky>(first.posed.surroundings);
+  auto sky = std::make_unique<Sky>(first.posed.surroundings);
   ready_.ambient = first.posed.ambient;
   ready_.fog = first.posed.fog;
   ready_.depth = settings.depth ? static_cast<std::uint32_t>(*settings.depth) : hints.depth;
   ready_.cut_off = settings.cut_off.value_or(hints.cut_off);
   ready_.light_samples = settings_.light_samples;
+  const double shadow_error = settings.shadow_error.value_or(hints.shadow_error);
+  ready_.shadow_error2 = shadow_error * shadow_error * settings_.samples;
   ready_.seed = settings.seed;
-  ready_.has_sky = !ready_.sky->is_black();
+  ready_.has_sky = !sky->is_black();
   ready_.sky_lights = first.posed.surroundings.lights;
   ready_.has_footprints = settings.filters_textures;
 
-  plan_.analysis = analyze(first, *ready_.materials, *ready_.sky, moments.size() > 1, settings_.samples);
+  plan_.analysis = analyze(first, *ready_.materials, *sky, moments.size() > 1, settings_.samples);
   ready_.effects = plan_.analysis.effects;
+  if (ready_.effects.has(Effect::environment)) sky->distribute();
+  ready_.sky = std::move(sky);
   integrator_ = &(settings.knows_all ? compiled_integrators().back() : integrator_for(ready_.effects));
   plan_.integrator = integrator_->name;
   plan_.unused = integrator_->knows;

@@ -11,7 +11,19 @@ namespace sightline {
 
 /// What a pair of numbers is for. Pairs of different purposes are independent, so what one effect draws does not depend
 /// on whether another is simulated: a picture is the same bits in a renderer that knows more effects than it has.
-enum class Draw : std::uint32_t { pixel, lens, light, occlusion, diffuse, glossy, lobe, environment, survival };
+enum class Draw : std::uint32_t {
+  pixel,
+  lens,
+  light,
+  occlusion,
+  diffuse,
+  glossy,
+  lobe,
+  environment,
+  survival,
+  shadow,
+  sky
+};
 
 /// Sample number `index` of a sequence: Sobol's first two dimensions, scrambled as Owen does, in an order of their own
 /// for each seed. Any 2^k first samples are a (0, k, 2)-net: each elementary rectangle of area 2^-k holds one.

@@ -88,6 +88,11 @@ class Microfacets {
     return glm::normalize(Vec3d(alpha * normal.x, alpha * normal.y, std::max(0.0, normal.z)));
   }
 
+  /// Of directions that are reflected by visible facets, of solid angle.
+  double density_of_reflected(double cos_view, double cos_facet) const {
+    return density(cos_facet) * seen(cos_view) / (4 * cos_view);
+  }
+
  private:
   static constexpr double square(double x) { return x * x; }
   double smith(double cosine) const {

@@ -92,7 +92,10 @@ class Analyzer {
         ask(effect, "the scene's ambient light");
       }
     }
-    if (scene.surroundings.lights && !sky.is_black() && is_diffuse && !has_interreflection) {
+    // Of an image, bright spots are looked for where surfaces are glossy, too.
+    const bool takes_sky =
+        is_diffuse || (sky.is_image() && has_any([](const SurfaceMaterial& m) { return m.is_glossy; }));
+    if (scene.surroundings.lights && !sky.is_black() && takes_sky && !has_interreflection) {
       ask(Effect::environment, "the scene's background, which lights");
     }
     if (has_interreflection) {

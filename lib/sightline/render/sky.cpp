@@ -13,6 +13,10 @@ Sky::Sky(const Surroundings& surroundings) : surroundings_(surroundings) {
   image_.emplace(sky->image, options);
 }
 
+void Sky::distribute() {
+  if (image_) distribution_ = SkyDistribution::of(std::get<SkyImage>(surroundings_.background));
+}
+
 bool Sky::is_black() const {
   const auto* color = std::get_if<Color>(&surroundings_.background);
   return surroundings_.intensity == 0 || (color && *color == Color(0));

@@ -14,9 +14,18 @@ constexpr std::size_t batch = 64;
 
 std::uint64_t sum_of(const TraversalStats& stats) { return stats.nodes + stats.leaves + stats.candidates; }
 
+bool have_stood_still(const Instances& before, const Instances& now) {
+  if (!before.have_moved_to(now)) return false;
+  for (std::uint32_t i = 0; i < now.size(); ++i) {
+    if (!(before.placements()[i].to_world() == now.placements()[i].to_world())) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
-TraceWorld::TraceWorld(const Scene& scene, const WorldSettings& settings, const SceneFilter& takes)
+TraceWorld::TraceWorld(const Scene& scene, const WorldSettings& settings, const SceneFilter& takes,
+                       const TraceWorld* before)
     : level_(settings.level) {
   SceneInstances meshes = instances_of(scene, takes);
   SceneSolids solids = solids_of(scene, takes);
@@ -34,13 +43,20 @@ TraceWorld::TraceWorld(const Scene& scene, const WorldSettings& settings, const 
     for (std::uint32_t i = 0, first = 0; i < instances_->size(); first += instances_->mesh_of(i++).size()) {
       firsts_.push_back(first);
     }
-    flat_ = make_tracer(settings.accelerator, std::make_shared<const TriangleMesh>(instances_->flattened()), of_meshes);
-  } else if (instances_->size() > 0) {
-    std::vector<std::shared_ptr<const Tracer>> tracers;
-    for (const auto& mesh : instances_->meshes()) {
-      tracers.push_back(make_tracer(settings.accelerator, mesh, of_meshes));
+    if (before && before->flat_ && have_stood_still(*before->instances_, *instances_)) {
+      flat_ = before->flat_;  // W3
+    } else {
+      flat_ =
+          make_tracer(settings.accelerator, std::make_shared<const TriangleMesh>(instances_->flattened()), of_meshes);
     }
-    placed_ = make_instance_tracer(settings.accelerator, instances_, std::move(tracers), of_meshes);
+  } else if (instances_->size() > 0) {
+    const auto known = before ? std::span(before->mesh_tracers_) : std::span<const std::shared_ptr<const Tracer>>();
+    for (const auto& mesh : instances_->meshes()) {
+      const auto same =
+          std::find_if(known.begin(), known.end(), [&](const auto& tracer) { return &tracer->mesh() == mesh.get(); });
+      mesh_tracers_.push_back(same != known.end() ? *same : make_tracer(settings.accelerator, mesh, of_meshes));  // W3
+    }
+    placed_ = make_instance_tracer(settings.accelerator, instances_, mesh_tracers_, of_meshes);
   }
   bounds_ = instances_->bounds();
   for (const auto& solid : solids.solids) bounds_.extend(solid->bounds());
@@ -64,7 +80,7 @@ WorldHit TraceWorld::solid_hit(const Hit<double>& hit) const {
 void TraceWorld::find_meshes(std::span<const Ray<double>> rays, std::span<WorldHit> hits) const {
   if (flat_) {
     RawArray<Hit<double>, batch> found;
-    std::as_const(*flat_).closest_hits(rays, found.first(rays.size()));
+    flat_->closest_hits(rays, found.first(rays.size()));
     for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = world_hit(found[i]);
     return;
   }

@@ -37,10 +37,14 @@ struct WorldHit {
 /// Immutable, and safe to ask from many threads.
 ///   W1  Hits do not depend on whether meshes are flattened (J1 of instance_tracer.h), nor on the structure.
 ///   W2  Of a triangle and a solid at the same t the triangle is hit.
+///   W3  What stands in a world before as it does here is built once, for both: structures of meshes by themselves, and
+///       of flattened ones where none has moved.
 class TraceWorld {
  public:
+  /// \param before another moment of the scene, made with the same settings; may be null.
   /// \throws std::invalid_argument as instances_of(), solids_of() and the tracers do.
-  TraceWorld(const Scene& scene, const WorldSettings& settings, const SceneFilter& takes = {});
+  TraceWorld(const Scene& scene, const WorldSettings& settings, const SceneFilter& takes = {},
+             const TraceWorld* before = nullptr);
 
   bool has_meshes() const { return flat_ || placed_; }
   bool has_solids() const { return solids_ != nullptr; }
@@ -48,6 +52,10 @@ class TraceWorld {
   bool has_instances() const { return placed_ != nullptr; }
   const Instances& instances() const { return *instances_; }
   const SolidTracer& solids() const { return *solids_; }
+  /// Whether structures of triangles are those of another world.
+  bool shares_meshes_with(const TraceWorld& other) const {
+    return flat_ ? flat_ == other.flat_ : placed_ && mesh_tracers_ == other.mesh_tracers_;
+  }
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(origins_.size()); }
   const SceneOrigin& origin(std::uint32_t item) const { return origins_[item]; }
@@ -69,8 +77,9 @@ class TraceWorld {
   WorldHit solid_hit(const Hit<double>& hit) const;
 
   std::shared_ptr<const Instances> instances_;
-  std::unique_ptr<Tracer> flat_;  ///< One of these two, or none.
+  std::shared_ptr<const Tracer> flat_;  ///< One of these two, or none.
   std::unique_ptr<InstanceTracer> placed_;
+  std::vector<std::shared_ptr<const Tracer>> mesh_tracers_;  ///< Of placed_.
   std::vector<std::uint32_t> firsts_;  ///< Of each instance its first triangle in the flattened mesh.
   std::unique_ptr<SolidTracer> solids_;
   std::vector<const Solid*> solid_list_;  ///< Its solids, which begin as item ...

@@ -14,6 +14,8 @@ struct RenderHints {
   double cut_off = 1.0 / 512;    ///< Rays that could add less than this share to a pixel are not traced. Half a step
                                  ///< of 8 bits; 0 traces all. Hall and Greenberg, "A Testbed for Realistic Image
                                  ///< Synthesis", 1983.
+  double shadow_error = 0x1p-8;  ///< That rays to area lights which are left out may add to a pixel's luminance, as its
+                                 ///< standard error; 0 leaves out none (render/shadow_choice.h).
 };
 
 }  // namespace sightline

@@ -38,7 +38,7 @@ constexpr auto background =
     std::to_array<Names>({"color", "zenith", "horizon", "ground", "image", "rotation", "intensity", "lights"});
 constexpr auto ambient = std::to_array<Names>({"color", "occlusion_distance"});
 constexpr auto fog = std::to_array<Names>({"density", "color"});
-constexpr auto render = std::to_array<Names>({"samples", "depth", "interreflection", "cut_off"});
+constexpr auto render = std::to_array<Names>({"samples", "depth", "interreflection", "cut_off", "shadow_error"});
 constexpr auto repeat = std::to_array<Names>({"count", "transform"});
 constexpr auto animation = std::to_array<Names>({"name", "loop", "channels"});
 constexpr auto channel = std::to_array<Names>({"node", "translation", "rotation", "scale"});

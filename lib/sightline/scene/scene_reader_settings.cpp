@@ -54,6 +54,7 @@ RenderHints SceneReader::render_hints_of(const JsonValue& json) {
   set_member(hints.depth, json, "depth", 0, most_bounces);
   set_member(hints.interreflection, json, "interreflection");
   set_member(hints.cut_off, json, "cut_off", 0, 1);
+  set_member(hints.shadow_error, json, "shadow_error", 0, 1);
   return hints;
 }
 
