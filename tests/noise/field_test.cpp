@@ -259,5 +259,31 @@ TEST(Field, NamesTheOptionThatIsOutOfRange) {
   EXPECT_THROW((NoiseField().values<3, float>(std::vector<glm::vec3>(2), few)), std::invalid_argument);
 }
 
+TEST(NoiseField, TakesAFootprintForEachPoint) {
+  for (const FractalKind kind : {FractalKind::none, FractalKind::fbm, FractalKind::ridged}) {
+    for (const double warp : {0.0, 0.5}) {
+      FieldOptions options;
+      options.fractal = kind, options.warp = warp;
+      const NoiseField field(options);
+      Random random(3);
+      std::vector<glm::dvec3> points(300);
+      std::vector<double> footprints(points.size());
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        for (int axis = 0; axis < 3; ++axis) points[i][axis] = 40 * random.uniform_double();
+        footprints[i] = i % 4 == 0 ? 0 : std::ldexp(1.0, static_cast<int>(i % 12) - 9);
+      }
+      std::vector<NoiseSample<double, 3>> samples(points.size());
+      field.samples<3, double>(points, footprints, samples);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const NoiseSample<double, 3> alone = field.sample<3, double>(points[i], footprints[i]);
+        ASSERT_EQ(samples[i].value, alone.value) << i;
+        ASSERT_EQ(samples[i].gradient, alone.gradient) << i;
+      }
+      std::vector<double> few(2);
+      EXPECT_THROW((field.samples<3, double>(points, few, samples)), std::invalid_argument);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sightline

@@ -214,16 +214,20 @@ TEST(ClosedForms, AreaLightHasItsFormFactor) {
 
 /// Half of a lamp that a wall hides gives half the light on the axis.
 TEST(ClosedForms, HalfHiddenLampGivesHalf) {
-  const auto light_at_middle = [](bool has_wall) {
+  const auto light_at_middle = [](bool has_wall, double shadow_error) {
     Scene scene;
     const std::uint32_t white = add_material(scene, lambert(1));
     add_shape(scene, "floor", SolidTree(solid::Box{Vec3d(-9, -9, -1), Vec3d(9, 9, 0)}), white);
     if (has_wall) add_shape(scene, "wall", SolidTree(solid::Box{Vec3d(0, -9, 1.5), Vec3d(9, 9, 1.75)}), white);
     add_light(scene, AreaLight{2, 2}, 1, Transform::translation({0, 0, 3}));
     add_camera(scene, 1, 0x1p-10);
-    return render(scene, small(1, 1, 4096)).mean(0).x;
+    RenderSettings settings = small(1, 1, 4096);
+    settings.shadow_error = shadow_error;
+    return render(scene, settings).mean(0).x;
   };
-  EXPECT_NEAR(light_at_middle(true) / light_at_middle(false), 0.5, 0.01);
+  const double whole = light_at_middle(false, 0);
+  EXPECT_NEAR(light_at_middle(true, 0) / whole, 0.5, 0.01);
+  for (const double error : {0x1p-10, 0x1p-8}) EXPECT_NEAR(light_at_middle(true, error), whole / 2, 4 * error);
 }
 
 /// A mirror shows what one would see from behind it.

@@ -203,6 +203,24 @@ TEST(Marble, FadesByTurbulenceThatIsLost) {
   }
 }
 
+TEST(Texture, ColorsManyPointsAsItColorsOne) {
+  for (const TextureInfo& info : texture_infos()) {
+    const Texture texture = make_texture(std::string(info.name));
+    for (const std::size_t count : {0, 1, 5, 64, 65, 300}) {
+      for (const int kind : {0, 1, 2}) {  // points alone, footprints of every width, some of both
+        const std::vector<Vec3d> points = random_points(static_cast<int>(count), 9);
+        std::vector<Footprint> footprints(count);
+        for (std::size_t i = 0; i < count; ++i) {
+          if (kind == 1 || (kind == 2 && i % 3 == 0)) footprints[i] = Footprint(std::ldexp(1.0, int(i % 16) - 12));
+        }
+        std::vector<Color> colors(count);
+        texture.colors(points, footprints, colors);
+        for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(colors[i], texture(points[i], footprints[i])) << info.name;
+      }
+    }
+  }
+}
+
 TEST(TextureNoise, KnowsHowFarItSpreads) {
   for (const FractalKind kind : {FractalKind::none, FractalKind::fbm, FractalKind::turbulence, FractalKind::ridged}) {
     const TextureNoise noise({.noise = {}, .fractal = kind, .octaves = 4, .gain = 0.7});
