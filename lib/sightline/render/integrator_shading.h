@@ -138,7 +138,8 @@ Vec3d Integrator<has>::normal_at(const Shade& shade, const AnyPath& path) {
     }
   }
   if (normal == shade.at.outside && std::fabs(shade.slant) > 0) return shade.side;
-  return facing_normal(normal, shade.at.outside, shade.to_viewer);
+  // Of copies: a Shade whose address goes nowhere stays in registers.
+  return facing_normal(normal, Vec3d(shade.at.outside), Vec3d(shade.to_viewer));
 }
 
 /// Sends on what is mirrored and what passes, and returns what is left to be scattered to all sides (I2).

@@ -37,7 +37,7 @@ struct LampLight {
 
 /// `square` chooses a point of an area, uniformly; of no account otherwise. Its irradiance is that of the whole lamp as
 /// if all of it were there, so that means over the square are right.
-inline LampLight light_of(const Lamp& lamp, const Vec3d& point, const glm::dvec2& square) {
+[[gnu::always_inline]] inline LampLight light_of(const Lamp& lamp, const Vec3d& point, const glm::dvec2& square) {
   LampLight light;
   if (lamp.kind == Lamp::Kind::directional) {
     light.to_lamp = -lamp.axis;
