@@ -167,7 +167,10 @@ class Integrator {
   };
 
   // integrator_of.h
+  void turn_to(const Moment& moment);
   void look(std::span<const PixelPlace> places);
+  [[gnu::always_inline]] inline void aim(std::size_t i, const glm::dvec2& within);
+  void focus(Ray<double>& ray, const Sampler& draws);
   void note_facts(TileBuffer& tile, std::span<const PixelPlace> places, FactsAsked facts);
   void follow();
   void trace(RayWave& wave, StageTimes::Clock::duration* time);
@@ -214,7 +217,8 @@ class Integrator {
 
   const SkyDistribution* bright_ = nullptr;  ///< Null where only surfaces choose directions to the sky.
   const Moment* moment_ = nullptr;
-  float pixel_width_ = 0;  ///< Of the camera, at t = 1.
+  Vec3d column_{0}, row_{0};  ///< From a pixel's middle to its edge, at t = 1.
+  float pixel_width_ = 0;     ///< At t = 1.
   std::uint32_t sample_ = 0;
   std::span<const PixelPlace> places_;  ///< Of the wave of the camera.
   std::array<Vec3d, wave_size> radiance_{};

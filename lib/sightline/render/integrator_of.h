@@ -41,7 +41,7 @@ void Integrator<has>::add_samples(TileBuffer& tile, std::span<const std::uint32_
                                   FactsAsked facts) {
   const std::vector<PixelPlace> order = detail::in_squares(tile.rect, pixels);
   for (sample_ = range.first; sample_ < range.last; ++sample_) {
-    moment_ = scene_.moments[sample_ % scene_.moments.size()].get();
+    turn_to(*scene_.moments[sample_ % scene_.moments.size()]);
     for (std::size_t first = 0; first < order.size(); first += wave_size) {
       const auto places = std::span(order).subspan(first, std::min(wave_size, order.size() - first));
       if constexpr (has.has(Effect::soft_shadow)) recall(tile, places);
@@ -57,46 +57,65 @@ void Integrator<has>::add_samples(TileBuffer& tile, std::span<const std::uint32_
 }
 
 template <Effects has>
+void Integrator<has>::turn_to(const Moment& moment) {
+  moment_ = &moment;
+  const Camera& camera = moment.lens.camera;
+  column_ = camera.right / double(camera.width), row_ = camera.up / double(camera.height);
+  pixel_width_ = static_cast<float>(2 * glm::length(row_));
+}
+
+template <Effects has>
 void Integrator<has>::look(std::span<const PixelPlace> places) {
-  const Lens& lens = moment_->lens;
-  const Camera& camera = lens.camera;
-  const Vec3d column = camera.right / double(camera.width), row = camera.up / double(camera.height);
-  pixel_width_ = static_cast<float>(2 * glm::length(row));
-  const bool is_spread = scene_.effects.has(Effect::antialiasing);
   places_ = places;
   current_.densities.clear();
   current_.rays.resize(places.size());
   if constexpr (!is_slim) current_.paths.resize(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto slot = static_cast<std::uint32_t>(i);
-    const int x = places[i].x, y = places[i].y;
-    radiance_[i] = Vec3d(0);
-    glm::dvec2 within(0.5);
-    if (is_spread) within = sampler(slot).square(Draw::pixel);
-    Ray<double>& ray = current_.rays[i];
-    ray = {};
-    ray.origin = camera.eye;
-    ray.direction =
-        camera.forward + (2 * (x + within.x) - camera.width) * column + (camera.height - 2 * (y + within.y)) * row;
-    if constexpr (has.has(Effect::depth_of_field)) {
-      if (scene_.effects.has(Effect::depth_of_field)) {
-        const glm::dvec2 on_lens = lens.radius * on_disk(sampler(slot).square(Draw::lens));
-        const Vec3d shift = on_lens.x * glm::normalize(camera.right) + on_lens.y * glm::normalize(camera.up);
-        ray.origin += shift;
-        ray.direction -= shift / lens.focus_distance;
-        ++counters_[Effect::depth_of_field];
-      }
+  const bool is_spread = scene_.effects.has(Effect::antialiasing);
+  const bool has_depth = has.has(Effect::depth_of_field) && scene_.effects.has(Effect::depth_of_field);
+  if (is_spread || has_depth) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Sampler draws = sampler(static_cast<std::uint32_t>(i));
+      aim(i, is_spread ? draws.square(Draw::pixel) : glm::dvec2(0.5));
+      if (has_depth) focus(current_.rays[i], draws);
     }
-    if constexpr (!is_slim) {
-      Path& path = current_.paths[i];
-      path = {};
-      path.slot = slot;
-      path.spread = pixel_width_;
-    }
+  } else {
+    for (std::size_t i = 0; i < places.size(); ++i) aim(i, glm::dvec2(0.5));
   }
   counters_.camera_rays += places.size();
   if (is_spread) counters_[Effect::antialiasing] += places.size();
   if (scene_.moments.size() > 1) counters_[Effect::motion_blur] += places.size();
+}
+
+/// `within` is a place in the pixel.
+template <Effects has>
+void Integrator<has>::aim(std::size_t i, const glm::dvec2& within) {
+  const Camera& camera = moment_->lens.camera;
+  const int x = places_[i].x, y = places_[i].y;
+  radiance_[i] = Vec3d(0);
+  Ray<double>& ray = current_.rays[i];
+  ray = {};
+  ray.origin = camera.eye;
+  ray.direction =
+      camera.forward + (2 * (x + within.x) - camera.width) * column_ + (camera.height - 2 * (y + within.y)) * row_;
+  if constexpr (!is_slim) {
+    Path& path = current_.paths[i];
+    path = {};
+    path.slot = static_cast<std::uint32_t>(i);
+    path.spread = pixel_width_;
+  }
+}
+
+/// From a place on the lens to where the ray is in focus.
+template <Effects has>
+void Integrator<has>::focus(Ray<double>& ray, const Sampler& draws) {
+  if constexpr (has.has(Effect::depth_of_field)) {
+    const Lens& lens = moment_->lens;
+    const glm::dvec2 on_lens = lens.radius * on_disk(draws.square(Draw::lens));
+    const Vec3d shift = on_lens.x * glm::normalize(lens.camera.right) + on_lens.y * glm::normalize(lens.camera.up);
+    ray.origin += shift;
+    ray.direction -= shift / lens.focus_distance;
+    ++counters_[Effect::depth_of_field];
+  }
 }
 
 /// Reads the hits of the camera's rays, which have just been traced.

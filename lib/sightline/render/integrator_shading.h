@@ -74,7 +74,9 @@ void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, std::size_t p
     }
   }
   if constexpr (has.has(Effect::fog)) in_fog(length, path, light);
+  bool may_shine = has.has(Effect::fog);
   if (material.is_emitting) {
+    may_shine = true;
     light += path.weight * material.values.emission;
     ++counters_[Effect::emission];
   }
@@ -85,11 +87,12 @@ void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, std::size_t p
 
   Color diffuse = material.is_diffuse ? shade.color : Color(0);
   if constexpr (is_specular) diffuse = share_out(shade, path);
-  if (diffuse != Color(0) && scene_.effects.has(Effect::ambient)) {
+  if (scene_.effects.has(Effect::ambient) && diffuse != Color(0)) {
+    may_shine = true;
     light += path.weight * diffuse * scene_.ambient.color;
     ++counters_[Effect::ambient];
   }
-  if (light != Color(0)) radiance_[path.slot] += Vec3d(light);
+  if (may_shine && light != Color(0)) radiance_[path.slot] += Vec3d(light);
   shine(shade, path, diffuse);
   if (diffuse != Color(0)) look_around(shade, path, diffuse);
   if constexpr (has.has(Effect::environment)) {
