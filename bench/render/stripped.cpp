@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
+
+#include "sightline/render/integrator.h"
 
 namespace sightline::bench {
 namespace {
@@ -20,11 +23,6 @@ struct Painted {
   Color color;
 };
 
-struct Light {
-  Color color;
-  std::uint32_t slot;
-};
-
 /// Of as many pixels as the renderer's waves have where no ray goes on.
 constexpr std::size_t wave_size = 16;
 
@@ -36,6 +34,9 @@ class Stripped {
   void add_samples(TileBuffer& tile) {
     const std::vector<Place> order = in_squares(tile.rect);
     moment_ = scene_.moments[0].get();
+    const Camera& camera = moment_->lens.camera;
+    column_ = camera.right / double(camera.width), row_ = camera.up / double(camera.height);
+    pixel_width_ = static_cast<float>(2 * glm::length(row_));
     for (std::size_t first = 0; first < order.size(); first += wave_size) {
       const auto places = std::span(order).subspan(first, std::min(wave_size, order.size() - first));
       look(places);
@@ -65,8 +66,6 @@ class Stripped {
 
   void look(std::span<const Place> places) {
     const Camera& camera = moment_->lens.camera;
-    const Vec3d column = camera.right / double(camera.width), row = camera.up / double(camera.height);
-    pixel_width_ = static_cast<float>(2 * glm::length(row));
     rays_.resize(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
       const int x = places[i].x, y = places[i].y;
@@ -74,7 +73,8 @@ class Stripped {
       Ray<double>& ray = rays_[i];
       ray = {};
       ray.origin = camera.eye;
-      ray.direction = camera.forward + (2 * (x + 0.5) - camera.width) * column + (camera.height - 2 * (y + 0.5)) * row;
+      ray.direction =
+          camera.forward + (2 * (x + 0.5) - camera.width) * column_ + (camera.height - 2 * (y + 0.5)) * row_;
     }
   }
 
@@ -131,41 +131,39 @@ class Stripped {
     const Vec3d side = glm::dot(at.outside, -ray.direction) < 0 ? -at.outside : at.outside;
     Color color = material.values.color;
     if constexpr (is_textured) color *= painted_[place].color;
-    if (color == Color(0)) return;
+    if (is_black(color)) return;
     const Lamp& lamp = moment_->lamps[0];
     const double cosine = glm::dot(side, -lamp.axis);
     if (!(cosine > 0)) return;
     const Color light = static_cast<float>(cosine * std::numbers::inv_pi) * color * lamp.strength;
-    if (light == Color(0)) return;
-    Ray<double>& to_lamp = to_lamp_.emplace_back();
-    to_lamp.origin = at.beyond(side);
-    to_lamp.direction = -lamp.axis;
-    lights_.push_back({light, static_cast<std::uint32_t>(place)});
+    if (is_black(light)) return;
+    sights_.add(at.beyond(side), -lamp.axis, std::numeric_limits<double>::infinity(),
+                {light, static_cast<std::uint32_t>(place)});
   }
 
   void see() {
-    if (to_lamp_.empty()) return;
-    is_stopped_.resize(to_lamp_.size());
-    moment_->world->any_hits(to_lamp_, is_stopped_);
-    for (std::size_t i = 0; i < to_lamp_.size(); ++i) {
-      if (!is_stopped_[i]) radiance_[lights_[i].slot] += Vec3d(lights_[i].color);
+    if (sights_.rays().empty()) return;
+    is_stopped_.resize(sights_.rays().size());
+    moment_->world->any_hits(sights_.rays(), is_stopped_);
+    for (std::size_t i = 0; i < sights_.rays().size(); ++i) {
+      if (!is_stopped_[i]) radiance_[sights_.lights()[i].slot] += Vec3d(sights_.lights()[i].color);
     }
-    to_lamp_.clear();
-    lights_.clear();
+    sights_.clear();
   }
 
   const RenderScene& scene_;
   const Moment* moment_ = nullptr;
+  Vec3d column_{0}, row_{0};
   float pixel_width_ = 0;
   std::array<Vec3d, wave_size> radiance_{};
-  std::vector<Ray<double>> rays_, to_lamp_;
+  std::vector<Ray<double>> rays_;
+  Sights sights_;
   std::vector<WorldHit> hits_;
   std::vector<Painted> painted_;
   std::vector<std::size_t> strokes_;
   std::vector<Vec3d> points_;
   std::vector<Footprint> footprints_;
   std::vector<Color> colors_;
-  std::vector<Light> lights_;
   std::vector<std::uint8_t> is_stopped_;
 };
 

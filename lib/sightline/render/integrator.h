@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -79,20 +80,41 @@ struct AreaRay {
 };
 
 /// Light that arrives if nothing is in between.
-struct Sights {
+class Sights {
+ public:
   struct Light {
     Color color;
     std::uint32_t slot;  ///< As that of a path.
   };
-  std::vector<Ray<double>> rays;
-  std::vector<Light> lights;
 
-  void clear() {
-    rays.clear();
-    lights.clear();
+  std::span<const Ray<double>> rays() const { return std::span(rays_).first(count_); }
+  std::span<const Light> lights() const { return std::span(lights_).first(count_); }
+  void clear() { count_ = 0; }
+
+  /// In place: copying what was just written would wait for it.
+  [[gnu::always_inline]] void add(const Vec3d& origin, const Vec3d& direction, double length, const Light& light) {
+    if (count_ == rays_.size()) grow();
+    Ray<double>& ray = rays_[count_];
+    ray.origin = origin, ray.direction = direction, ray.t_max = length;
+    lights_[count_++] = light;
   }
+
+ private:
+  [[gnu::noinline]] void grow() {
+    rays_.resize(std::max<std::size_t>(64, 2 * count_));
+    lights_.resize(rays_.size());
+  }
+
+  std::size_t count_ = 0;  ///< Of those that are in use: room is made once, and rays keep their t_min.
+  std::vector<Ray<double>> rays_;
+  std::vector<Light> lights_;
 };
 
+/// Whether it is 0, of either sign: as `color == Color(0)`, in half as many instructions.
+inline bool is_black(const Color& color) {
+  const auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x); };
+  return ((bits(color.x) | bits(color.y) | bits(color.z)) << 1) == 0;
+}
 inline float largest(const Color& color) { return std::max({color.x, color.y, color.z}); }
 
 template <Effects has>

@@ -26,7 +26,7 @@ template <Effects has>
 void Integrator<has>::shine(const Shade& shade, const AnyPath& path, const Color& diffuse) {
   const SurfaceMaterial& material = shade.material;
   const bool is_glossy = has.has(Effect::glossy) && material.is_glossy;
-  if (diffuse == Color(0) && !is_glossy) return;
+  if (is_black(diffuse) && !is_glossy) return;
   const std::vector<Lamp>& lamps = moment_->lamps;
   std::uint32_t areas = 0;
   for (std::uint32_t i = 0; i < lamps.size(); ++i) {
@@ -48,7 +48,7 @@ void Integrator<has>::shine(const Shade& shade, const AnyPath& path, const Color
       }
       Color light = path.weight * share * from.irradiance;
       if (is_area) light /= static_cast<float>(count);
-      if (light == Color(0)) continue;
+      if (is_black(light)) continue;
       if (is_area) {
         add_area_ray(shade, path, from, light, area, i << 8 | k);
       } else {
@@ -136,7 +136,7 @@ template <Effects has>
 void Integrator<has>::look_at_sky(const Shade& shade, const AnyPath& path, const Color& diffuse) {
   if constexpr (has.has(Effect::environment)) {
     const bool is_glossy = asks_bright_sky(shade.material, path);
-    if (diffuse == Color(0) && !is_glossy) return;
+    if (is_black(diffuse) && !is_glossy) return;
     const auto [way, density] = bright_->sample(sampler(path.slot).square(Draw::sky, path.depth));
     const double cosine = glm::dot(shade.normal, way);
     if (!(density > 0 && cosine > 0) || !(glm::dot(shade.side, way) > 0)) return;

@@ -195,22 +195,22 @@ void Integrator<has>::see() {
   const auto ask = [&]<Sight sight>() {
     if constexpr (has.has(effects_of_sights[sight])) {
       Sights& sights = sights_[sight];
-      if (sights.rays.empty()) return;
+      if (sights.rays().empty()) return;
       const StageClock clock(StageClock::of(times_, effects_of_sights[sight]));
-      counters_[effects_of_sights[sight]] += sights.rays.size();
-      is_stopped_.resize(sights.rays.size());
+      counters_[effects_of_sights[sight]] += sights.rays().size();
+      is_stopped_.resize(sights.rays().size());
       const TraceWorld& world = has.has(Effect::refraction) && moment_->opaque ? *moment_->opaque : *moment_->world;
-      world.any_hits(sights.rays, is_stopped_);
+      world.any_hits(sights.rays(), is_stopped_);
       if constexpr (sight == to_area) {
         see_areas();
       } else
-        for (std::size_t i = 0; i < sights.rays.size(); ++i) {
+        for (std::size_t i = 0; i < sights.rays().size(); ++i) {
           if (is_stopped_[i]) continue;
-          Color light = sights.lights[i].color;
+          Color light = sights.lights()[i].color;
           if constexpr (has.has(Effect::refraction)) {
-            if (moment_->clear) light *= passed(sights.rays[i]);
+            if (moment_->clear) light *= passed(sights.rays()[i]);
           }
-          radiance_[sights.lights[i].slot] += Vec3d(light);
+          radiance_[sights.lights()[i].slot] += Vec3d(light);
         }
       sights.clear();
     }
@@ -226,12 +226,12 @@ template <Effects has>
 void Integrator<has>::see_areas() {
   if constexpr (has.has(Effect::soft_shadow)) {
     const Sights& sights = sights_[to_area];
-    for (std::size_t i = 0; i < sights.rays.size(); ++i) {
-      const auto& [color, slot] = sights.lights[i];
+    for (std::size_t i = 0; i < sights.rays().size(); ++i) {
+      const auto& [color, slot] = sights.lights()[i];
       const AreaRay& ray = area_rays_[i];
       Color found(is_stopped_[i] ? 0.0f : 1.0f);
       if constexpr (has.has(Effect::refraction)) {
-        if (moment_->clear && !is_stopped_[i]) found = passed(sights.rays[i]);
+        if (moment_->clear && !is_stopped_[i]) found = passed(sights.rays()[i]);
       }
       if (ray.is_trial) {
         seen_[slot].add(ray.lamp, found != Color(0), found != Color(1));

@@ -87,14 +87,14 @@ void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, std::size_t p
 
   Color diffuse = material.is_diffuse ? shade.color : Color(0);
   if constexpr (is_specular) diffuse = share_out(shade, path);
-  if (scene_.effects.has(Effect::ambient) && diffuse != Color(0)) {
+  if (scene_.effects.has(Effect::ambient) && !is_black(diffuse)) {
     may_shine = true;
     light += path.weight * diffuse * scene_.ambient.color;
     ++counters_[Effect::ambient];
   }
-  if (may_shine && light != Color(0)) radiance_[path.slot] += Vec3d(light);
+  if (may_shine && !is_black(light)) radiance_[path.slot] += Vec3d(light);
   shine(shade, path, diffuse);
-  if (diffuse != Color(0)) look_around(shade, path, diffuse);
+  if (!is_black(diffuse)) look_around(shade, path, diffuse);
   if constexpr (has.has(Effect::environment)) {
     if (bright_) look_at_sky(shade, path, diffuse);
   }
@@ -214,12 +214,7 @@ Color Integrator<has>::share_out(Shade& shade, const Path& path) {
 template <Effects has>
 void Integrator<has>::add_sight(Sight sight, const Shade& shade, const Vec3d& direction, double length,
                                 const Color& light, std::uint32_t slot) {
-  Sights& sights = sights_[sight];
-  Ray<double>& ray = sights.rays.emplace_back();  // in place: copying what was just written would wait for it
-  ray.origin = shade.at.beyond(shade.side);
-  ray.direction = direction;
-  ray.t_max = length;
-  sights.lights.push_back({light, slot});
+  sights_[sight].add(shade.at.beyond(shade.side), direction, length, {light, slot});
 }
 
 template <Effects has>
