@@ -174,18 +174,17 @@ void Integrator<has>::trace(RayWave& wave, StageTimes::Clock::duration* time) {
   if constexpr (has.has(Effect::procedural_texture)) paint(wave);
   const bool sees_misses = scene_.has_sky || has.has(Effect::fog);
   for (std::size_t i = 0; i < wave.rays.size(); ++i) {
-    const bool is_hit = hits_[i].is_hit();
-    if (!is_hit && !sees_misses) continue;
     [[maybe_unused]] FirstPath first{static_cast<std::uint32_t>(i), 0, pixel_width_};
     AnyPath* path;
     if constexpr (is_slim)
       path = &first;
     else
       path = &wave.paths[i];
-    if (is_hit)
+    if (hits_[i].is_hit()) {
       shade(wave.rays[i], *path, i);
-    else
+    } else if (sees_misses) {
       shade_miss(wave.rays[i], *path, wave.densities.empty() ? 0 : wave.densities[i]);
+    }
   }
 }
 

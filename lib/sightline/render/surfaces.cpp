@@ -71,6 +71,7 @@ Surfaces::Surfaces(const Scene& scene, const TraceWorld& world)
       item.to_world = Transform::of(world.instances().placements()[i].to_world());
     }
     item.scale = length_scale(item.to_world);
+    has_smooth_ = has_smooth_ || (item.mesh && !item.mesh->normals.empty());
     items_.push_back(std::move(item));
   }
 }

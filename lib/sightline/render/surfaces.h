@@ -51,6 +51,7 @@ class Surfaces {
 
   /// Whether shading takes another normal than that of the surface.
   bool is_smooth(const WorldHit& hit) const {
+    if (!has_smooth_) return false;
     const MeshGeometry* mesh = items_[hit.item].mesh;
     return mesh && !mesh->normals.empty();
   }
@@ -97,7 +98,8 @@ class Surfaces {
 
   const Scene& scene_;
   const TraceWorld& world_;
-  double solid_error_;  ///< Of t, relative to it.
+  double solid_error_;       ///< Of t, relative to it.
+  bool has_smooth_ = false;  ///< Any item with normals of its own.
   std::vector<Item> items_;
   std::vector<std::uint32_t> materials_;  ///< Of solids' materials.
 };
