@@ -172,15 +172,23 @@ class Integrator {
     std::vector<Color> colors;
   };
 
+  struct AskedLamp {
+    std::uint32_t draw;     ///< Its number among lamps, times 256, and that of the sample.
+    std::uint32_t area;     ///< Its number among area lamps, if it is one.
+    std::uint32_t samples;  ///< Of its area.
+    bool is_area = false;
+  };
+
   /// A hit while it is shaded.
   struct Shade {
     const SurfaceMaterial& material;
     std::uint32_t number;  ///< Of the material.
     const WorldHit& hit;
     const SurfacePoint& at;
-    Vec3d to_viewer{0};        ///< Of unit length where the integrator has lengths.
+    Vec3d to_viewer{0};        ///< Of unit length; only where the integrator has lengths.
     Vec3d side{0}, normal{0};  ///< Of unit length, on the viewer's side.
-    double slant = 0;          ///< The cosine of `outside` to the viewer, times to_viewer's length.
+    double slant =
+        0;  ///< The cosine of `outside` to the viewer, times the direction's length where there are no lengths.
     bool is_inside = false;
     bool is_bent = false;  ///< `normal` is another one than `side`.
     Color color{0};
@@ -221,9 +229,11 @@ class Integrator {
   [[gnu::always_inline]] inline void shade(const Ray<double>& ray, AnyPath& path, std::size_t place);
   void in_fog(double length, Path& path, Color& light) const;
   [[gnu::always_inline]] inline Color color_at(const Shade& shade, const AnyPath& path, std::size_t place);
-  Vec3d normal_at(const Shade& shade, const AnyPath& path);
+  Vec3d normal_at(const Shade& shade, const AnyPath& path, const Vec3d& to_viewer);
   Color share_out(Shade& shade, const Path& path);
   [[gnu::always_inline]] inline void shine(const Shade& shade, const AnyPath& path, const Color& diffuse);
+  [[gnu::always_inline]] inline void take_light(const Shade& shade, const AnyPath& path, const Color& diffuse,
+                                                const AskedLamp& asked, const LampLight& from);
   void add_area_ray(const Shade& shade, const AnyPath& path, const LampLight& from, Color light, std::uint32_t lamp,
                     std::uint32_t which);
   Color highlight(const Shade& shade, const Vec3d& to_lamp, double cosine) const;

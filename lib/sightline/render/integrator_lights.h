@@ -24,35 +24,43 @@ inline Color reflectance(const SurfaceMaterial& material, const Color& color, do
 /// Asks the lamps.
 template <Effects has>
 void Integrator<has>::shine(const Shade& shade, const AnyPath& path, const Color& diffuse) {
-  const SurfaceMaterial& material = shade.material;
-  const bool is_glossy = has.has(Effect::glossy) && material.is_glossy;
+  const bool is_glossy = has.has(Effect::glossy) && shade.material.is_glossy;
   if (is_black(diffuse) && !is_glossy) return;
-  std::uint32_t i = 0, areas = 0;
+  std::uint32_t number = 0, areas = 0;
   for (const Lamp& lamp : moment_->lamps) {
-    const bool is_area = has.has(Effect::soft_shadow) && lamp.is_area();
-    const std::uint32_t number = i++, area = areas;
-    areas += is_area;
-    const std::uint32_t count = is_area ? scene_.light_samples : 1;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      glm::dvec2 place(0.5);
-      if (is_area) place = sampler(path.slot).square(Draw::light, path.depth, number << 8 | k);
-      const LampLight from = light_of(lamp, shade.at.point, place);
-      const double cosine = glm::dot(shade.normal, from.to_lamp);
-      if (!(cosine > 0) || (shade.is_bent && !(glm::dot(shade.side, from.to_lamp) > 0))) continue;
-      ++counters_[Effect::direct_light];
-      Color share = static_cast<float>(cosine * std::numbers::inv_pi) * diffuse;
-      if constexpr (has.has(Effect::glossy)) {
-        if (is_glossy) share += highlight(shade, from.to_lamp, cosine);
-      }
-      Color light = path.weight * share * from.irradiance;
-      if (is_area) light /= static_cast<float>(count);
-      if (is_black(light)) continue;
-      if (is_area) {
-        add_area_ray(shade, path, from, light, area, number << 8 | k);
-      } else {
-        add_sight(to_point, shade, from.to_lamp, from.distance, light, path.slot);
-      }
+    AskedLamp asked{number++ << 8, areas, 1};
+    if (lamp.kind == Lamp::Kind::directional) {  // by itself, so that its light stays in registers
+      take_light(shade, path, diffuse, asked, {-lamp.axis, lamp.strength});
+      continue;
     }
+    asked.is_area = has.has(Effect::soft_shadow) && lamp.is_area();
+    if (asked.is_area) ++areas, asked.samples = scene_.light_samples;
+    for (const std::uint32_t last = asked.draw + asked.samples; asked.draw < last; ++asked.draw) {
+      glm::dvec2 place(0.5);
+      if (asked.is_area) place = sampler(path.slot).square(Draw::light, path.depth, asked.draw);
+      take_light(shade, path, diffuse, asked, light_of(lamp, shade.at.point, place));
+    }
+  }
+}
+
+/// What a surface makes of a lamp's light, if it arrives.
+template <Effects has>
+void Integrator<has>::take_light(const Shade& shade, const AnyPath& path, const Color& diffuse, const AskedLamp& asked,
+                                 const LampLight& from) {
+  const double cosine = glm::dot(shade.normal, from.to_lamp);
+  if (!(cosine > 0) || (shade.is_bent && !(glm::dot(shade.side, from.to_lamp) > 0))) return;
+  ++counters_[Effect::direct_light];
+  Color share = static_cast<float>(cosine * std::numbers::inv_pi) * diffuse;
+  if constexpr (has.has(Effect::glossy)) {
+    if (shade.material.is_glossy) share += highlight(shade, from.to_lamp, cosine);
+  }
+  Color light = path.weight * share * from.irradiance;
+  if (asked.is_area) light /= static_cast<float>(asked.samples);
+  if (is_black(light)) return;
+  if (asked.is_area) {
+    add_area_ray(shade, path, from, light, asked.area, asked.draw);
+  } else {
+    add_sight(to_point, shade, from.to_lamp, from.distance, light, path.slot);
   }
 }
 

@@ -10,26 +10,25 @@
 namespace sightline {
 namespace detail {
 
-/// Squares of 4 x 4 pixels together: sixteen neighbours make a packet.
+/// Squares of 4 x 4 pixels together: sixteen neighbours make a packet. `pixels` are those that are asked for.
 inline std::vector<PixelPlace> in_squares(const TileRect& rect, std::span<const std::uint32_t> pixels) {
   constexpr int side = 4;
-  const bool are_all = pixels.size() == rect.pixels();
-  std::vector<std::uint8_t> is_asked(are_all ? 0 : rect.pixels());
-  if (!are_all) {
-    for (const std::uint32_t pixel : pixels) is_asked[pixel] = 1;
-  }
-  std::vector<PixelPlace> order(pixels.size());
+  std::vector<PixelPlace> order(rect.pixels());
   PixelPlace* next = order.data();
   for (int y = 0; y < rect.height; y += side) {
     for (int x = 0; x < rect.width; x += side) {
       const int right = std::min(x + side, rect.width), below = std::min(y + side, rect.height);
       for (int j = y; j < below; ++j) {
         for (int i = x; i < right; ++i) {
-          const auto pixel = static_cast<std::uint32_t>(j * rect.width + i);
-          if (are_all || is_asked[pixel]) *next++ = {rect.x + i, rect.y + j, pixel};
+          *next++ = {rect.x + i, rect.y + j, static_cast<std::uint32_t>(j * rect.width + i)};
         }
       }
     }
+  }
+  if (pixels.size() < rect.pixels()) {
+    std::vector<std::uint8_t> is_asked(rect.pixels());
+    for (const std::uint32_t pixel : pixels) is_asked[pixel] = 1;
+    std::erase_if(order, [&](const PixelPlace& place) { return !is_asked[place.in_tile]; });
   }
   return order;
 }

@@ -49,17 +49,17 @@ void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, std::size_t p
   const std::uint32_t number = is_painted ? painted_[place].material : surfaces.material(hit);
   const SurfaceMaterial& material = (*scene_.materials)[number];
   Shade shade{material, number, hit, at};
-  shade.to_viewer = -ray.direction;
   if constexpr (has_footprints) path.width += path.spread * static_cast<float>(hit.t);
   [[maybe_unused]] double length = 0;
   if constexpr (has_lengths) {
     const double speed = std::sqrt(glm::dot(ray.direction, ray.direction));
     length = hit.t * speed;
-    shade.to_viewer /= speed;
+    shade.to_viewer = -ray.direction / speed;
     if constexpr (has_more_rays)
       path.spread /= static_cast<float>(speed);  // from here on directions are of unit length
   }
-  shade.slant = glm::dot(shade.at.outside, shade.to_viewer);
+  // Of the ray itself, which is at hand anyway.
+  shade.slant = has_lengths ? glm::dot(shade.at.outside, shade.to_viewer) : -glm::dot(shade.at.outside, ray.direction);
   shade.is_inside = shade.slant < 0;
   shade.side = shade.is_inside ? -shade.at.outside : shade.at.outside;
 
@@ -82,8 +82,8 @@ void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, std::size_t p
   }
   shade.color = color_at(shade, path, place);
   // A flat one faces the viewer, but edge-on.
-  shade.is_bent = has.has(Effect::normal_map) || surfaces.is_smooth(hit) || !(std::fabs(shade.slant) > 0);
-  shade.normal = shade.is_bent ? normal_at(shade, path) : shade.side;
+  shade.is_bent = has.has(Effect::normal_map) || surfaces.is_smooth(hit) || !(shade.is_inside || shade.slant > 0);
+  shade.normal = shade.is_bent ? normal_at(shade, path, has_lengths ? shade.to_viewer : -ray.direction) : shade.side;
 
   // What is neither diffuse nor asks for a specular effect is black (MaterialTable::of).
   Color diffuse = shade.color;
@@ -125,7 +125,7 @@ Color Integrator<has>::color_at(const Shade& shade, const AnyPath& path, std::si
 }
 
 template <Effects has>
-Vec3d Integrator<has>::normal_at(const Shade& shade, const AnyPath& path) {
+Vec3d Integrator<has>::normal_at(const Shade& shade, const AnyPath& path, const Vec3d& to_viewer) {
   const Surfaces& surfaces = *moment_->surfaces;
   Vec3d normal = surfaces.normal(shade.hit, shade.at);
   if constexpr (has.has(Effect::normal_map)) {
@@ -146,7 +146,7 @@ Vec3d Integrator<has>::normal_at(const Shade& shade, const AnyPath& path) {
   }
   if (normal == shade.at.outside && std::fabs(shade.slant) > 0) return shade.side;
   // Of copies: a Shade whose address goes nowhere stays in registers.
-  return facing_normal(normal, Vec3d(shade.at.outside), Vec3d(shade.to_viewer));
+  return facing_normal(normal, Vec3d(shade.at.outside), to_viewer);
 }
 
 /// Sends on what is mirrored and what passes, and returns what is left to be scattered to all sides (I2).

@@ -11,22 +11,11 @@
 namespace sightline {
 
 /// What integrators leave out where they do not know it. Other effects cost them a comparison, if that.
-inline constexpr Effects compiled_effects{Effect::hard_shadow,
-                                          Effect::soft_shadow,
-                                          Effect::mirror,
-                                          Effect::glossy,
-                                          Effect::refraction,
-                                          Effect::absorption,
-                                          Effect::emission,
-                                          Effect::procedural_texture,
-                                          Effect::image_texture,
-                                          Effect::normal_map,
-                                          Effect::ambient,
-                                          Effect::ambient_occlusion,
-                                          Effect::environment,
-                                          Effect::interreflection,
-                                          Effect::fog,
-                                          Effect::depth_of_field};
+inline constexpr Effects compiled_effects{
+    Effect::hard_shadow,   Effect::soft_shadow,     Effect::mirror,   Effect::glossy,
+    Effect::refraction,    Effect::absorption,      Effect::emission, Effect::procedural_texture,
+    Effect::image_texture, Effect::normal_map,      Effect::ambient,  Effect::ambient_occlusion,
+    Effect::environment,   Effect::interreflection, Effect::fog,      Effect::depth_of_field};
 
 struct CompiledIntegrator {
   /// `times` may be null.
