@@ -8,6 +8,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "bench/rotation.h"
+
 namespace sightline::bench {
 namespace {
 
@@ -127,10 +129,11 @@ std::size_t run_rounds(std::vector<Stage>& stages, const Plan& plan, Progress& p
   for (std::size_t s = 0; s < stages.size(); ++s) {
     Stage& stage = stages[s];
     const auto& contenders = stage.report().contenders;
+    const Turns turns(contenders.size());
     for (const Workload workload : plan.workloads) {
       for (std::size_t round = 0; round < static_cast<std::size_t>(plan.rounds); ++round) {
         for (std::size_t i = 0; i < contenders.size(); ++i) {
-          const std::size_t c = (i + round) % contenders.size();
+          const std::size_t c = turns.line(round, i);
           const Measurement& own = *contenders[c].at[index_of(workload)];
           if (round >= static_cast<std::size_t>(own.rounds)) continue;
           const std::string name = stage.report().name + '/' + std::string(workload_infos[index_of(workload)].name) +

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 
-/// With m the largest |vertex - origin| and M the largest sheared coordinate: a sheared coordinate is off by at most 6
-/// u m (two rounded differences, a rounded slope, a product, a difference), so an edge function, two products of such
-/// coordinates, by 4 * 6 u m M plus 8 u m M for its own roundings. 32 in all; the rest is for terms in u^2.
+/// With m the largest |vertex - origin| and M the largest sheared coordinate: a sheared coordinate is off by at most 7
+/// u m (two rounded differences, a slope rounded twice, a product, a difference), so an edge function, two products of
+/// such coordinates, by 4 * 7 u m M plus 8 u m M for its own roundings. 36 in all; the rest is for terms in u^2.
 constexpr double edge_error = 40 * unit_roundoff;
 
 /// The weighted mean of the vertices strays from the ray by 3 edge_error m M * M / |u + v + w|. It must stay below the
@@ -43,19 +43,21 @@ TriangleRay::TriangleRay(const Ray<double>& ray, const Aabb& bounds) : origin_(r
   kx_ = (kz_ + 1) % 3;
   ky_ = (kx_ + 1) % 3;
   if (direction_[kz_] < 0) std::swap(kx_, ky_);
-  scale_z_ = 1 / direction_[kz_];
-  shear_x_ = direction_[kx_] / direction_[kz_];
-  shear_y_ = direction_[ky_] / direction_[kz_];
+  const double along = direction_[kz_];
+  scale_z_ = 1 / along;
+  const bool has_inverse = std::fabs(along) >= 0x1p-1000;
+  shear_x_ = has_inverse ? direction_[kx_] * scale_z_ : direction_[kx_] / along;
+  shear_y_ = has_inverse ? direction_[ky_] * scale_z_ : direction_[ky_] / along;
   const double reach = reach_of(origin_, bounds);
-  sign_bound_ = 2 * edge_error * reach * reach;  // M <= 2 m, as slopes are at most 1
+  edge_bound_ = edge_error * reach;
+  sign_bound_ = 2 * edge_bound_ * reach;  // M <= 2 m, as slopes are at most 1
 }
 
 bool TriangleRay::settle(const Triangle& triangle, const Vec3d& a, const Vec3d& b, const Vec3d& c, const Sheared& s,
                          double u, double v, double w, Crossing& crossing) const {
-  const double reach = std::max({max_norm(a), max_norm(b), max_norm(c)});
   const double size =
       std::max({std::fabs(s.ax), std::fabs(s.ay), std::fabs(s.bx), std::fabs(s.by), std::fabs(s.cx), std::fabs(s.cy)});
-  const double bound = edge_error * reach * size;
+  const double bound = edge_bound_ * size;
   const double lowest = std::min({u, v, w}), highest = std::max({u, v, w});
   if (lowest < -bound && highest > bound) return false;
   const double sum = u + v + w;
