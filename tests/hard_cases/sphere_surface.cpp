@@ -117,7 +117,7 @@ HardCase sphere_on_surface() {
               "A hit computed in float is not on the sphere but next to it, half of the time inside. From there a ray "
               "that leaves finds the sphere once more, at a t just above 0, which no test for t > 0 keeps out: "
               "acne. The rounded point has to be moved by what it may be off.",
-          .oracle = Oracle::closed_form,
+          .oracle = Oracle::rationals,
           .reference = "Waechter and Binder, Ray Tracing Gems, chapter 6, 2019",
           .run = run_on_surface,
           .draw = draw_on_surface};
