@@ -16,7 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Whether x of type T is the one nearest to the number, the even one of two.
 template <class T>
-bool is_nearest(const TrueNumber& number, T x) {
+bool is_nearest_of_type(const TrueNumber& number, T x) {
   if (!std::isfinite(x)) return false;
   const auto half = [](T y) { return 0.5 * static_cast<double>(y); };
   const T below = std::nextafter(x, -std::numeric_limits<T>::infinity()),
@@ -37,12 +37,20 @@ double nearest_double(const TrueNumber& number) {
     (side * number(side * std::bit_cast<double>(middle), 0) >= 0 ? lo : hi) = middle;
   }
   const double down = side * std::bit_cast<double>(lo), up = side * std::bit_cast<double>(hi);
-  return is_nearest(number, down) ? down : up;
+  return is_nearest_of_type(number, down) ? down : up;
+}
+
+/// By at most so much.
+bool is_off_by(const TrueNumber& truth, double t, double bound) {
+  return std::isfinite(t) && truth(t, -bound) >= 0 && truth(t, bound) <= 0;
 }
 
 double error_of(double t, double truth) { return t == truth ? 0 : std::fabs((t - truth) / truth); }
 
 }  // namespace
+
+bool is_nearest(const TrueNumber& number, float x) { return is_nearest_of_type(number, x); }
+bool is_nearest(const TrueNumber& number, double x) { return is_nearest_of_type(number, x); }
 
 void TrueSpans::round_ends() {
   for (const TrueNumber& end : ends) nearest.push_back(nearest_double(end));
@@ -110,6 +118,10 @@ void SolidQuestion::ask_first(Trial& trial, std::string_view who) const {
   }
 }
 
+void SolidQuestion::judge_crossings(Tally& tally, std::span<const double> ends) const {
+  judge(tally, truth_.begins_inside, ends, Level::exact, &SolidQuestion::verdict_of_crossing);
+}
+
 void SolidQuestion::judge_spans(Tally& tally, std::span<const double> ends) const {
   judge(tally, truth_.begins_inside, ends, Level::fast, &SolidQuestion::verdict_of_naive);
 }
@@ -155,20 +167,20 @@ Verdict SolidQuestion::verdict_of(std::size_t end, double t, Level level) const 
   }
   double bound = std::fabs(t) * (level == Level::watertight ? 0x1p-46 : 0x1p-52);
   if (level == Level::fast) {
-    const double speed = max_norm(ray_.direction);
-    const double reach = solid_.is_bounded() ? reach_of(ray_.origin, solid_.bounds()) : std::fabs(t) * speed;
-    bound = 0x1p-19 * reach / speed;
+    bound = 0x1p-19 * (solid_.is_bounded() ? reach() : std::fabs(t));
   }
-  const bool is_within = std::isfinite(t) && level != Level::exact && truth(t, -bound) >= 0 && truth(t, bound) <= 0;
-  return is_within ? Verdict::within_bound : Verdict::wrong;
+  return level != Level::exact && is_off_by(truth, t, bound) ? Verdict::within_bound : Verdict::wrong;
+}
+
+Verdict SolidQuestion::verdict_of_crossing(std::size_t end, double t, Level) const {
+  if (t == truth_.nearest[end]) return Verdict::exact;
+  return is_off_by(truth_.ends[end], t, 0x1p-35 * reach()) ? Verdict::within_bound : Verdict::wrong;
 }
 
 Verdict SolidQuestion::verdict_of_naive(std::size_t end, double t, Level) const {
   const TrueNumber& truth = truth_.ends[end];
   if (t == truth_.nearest[end] || is_nearest(truth, static_cast<float>(t))) return Verdict::exact;
-  const double bound = 0x1p-19 * std::fabs(t);
-  const bool is_within = std::isfinite(t) && truth(t, -bound) >= 0 && truth(t, bound) <= 0;
-  return is_within ? Verdict::within_bound : Verdict::wrong;
+  return is_off_by(truth, t, 0x1p-19 * std::fabs(t)) ? Verdict::within_bound : Verdict::wrong;
 }
 
 Example SolidQuestion::example(const std::string& expected, std::span<const double> got) const {

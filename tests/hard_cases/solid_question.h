@@ -25,6 +25,10 @@ struct TrueSpans {
   void round_ends();
 };
 
+/// Whether x is the float, or the double, nearest to the number, and the even one of two.
+bool is_nearest(const TrueNumber& number, float x);
+bool is_nearest(const TrueNumber& number, double x);
+
 /// By rationals and square roots compared without rounding: csg/exact_solid.h.
 TrueSpans true_solid_spans(const SolidTree& tree, const Ray<double>& ray);
 /// By Sturm's chain of the polynomial along the ray, in rationals.
@@ -63,6 +67,9 @@ class SolidQuestion {
   SolidQuestion(SolidTree tree, const Ray<double>& ray, TrueSpans truth);
 
   const TrueSpans& truth() const { return truth_; }
+  const Ray<double>& ray() const { return ray_; }
+  /// As a parameter of the ray: where a part as far as the farthest of the solid may be.
+  double reach() const { return reach_of(ray_.origin, solid_.bounds()) / max_norm(ray_.direction); }
   /// Ahead of the origin.
   std::optional<std::size_t> first_end() const;
 
@@ -71,6 +78,10 @@ class SolidQuestion {
   void ask_spans(Trial& trial, const UnionByStructure& solids) const;
   /// The first boundary with t > 0, at all levels.
   void ask_first(Trial& trial, std::string_view who) const;
+
+  /// Crossings of a primitive in double, without a level, by M1 of accel/padded_ray.h: off by no more than 2^-35 of the
+  /// distance to the farthest part of the solid.
+  void judge_crossings(Tally& tally, std::span<const double> ends) const;
 
   /// Answers of other code, which promises nothing: a number is within the bound where it is off by no more than 2^-19
   /// of itself, 32 roundings of float.
@@ -83,6 +94,7 @@ class SolidQuestion {
   void judge(Tally& tally, bool begins_inside, std::span<const double> ends, Level level, Rule rule) const;
   void judge_first(Tally& tally, std::optional<double> t, Level level, Rule rule) const;
   Verdict verdict_of(std::size_t end, double t, Level level) const;
+  Verdict verdict_of_crossing(std::size_t end, double t, Level) const;
   Verdict verdict_of_naive(std::size_t end, double t, Level) const;
   Example example(const std::string& expected, std::span<const double> got) const;
 
