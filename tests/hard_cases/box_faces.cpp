@@ -57,6 +57,7 @@ Sketch draw_flat() {
 
 void run_origin_on_face(Trial& trial) {
   const Aabb box{Vec3f(-1), Vec3f(1)};
+  const BoxesByStructure boxes = boxes_around(box, 4);
   Random random(54);
   const auto count = trial.count(400);
   for (std::uint64_t i = 0; i < count; ++i) {
@@ -73,6 +74,7 @@ void run_origin_on_face(Trial& trial) {
     question.ask_first(trial, "box, ahead");
     ask_box_set(trial, box, question);
     ask_volume_tests(trial, box, box, ray_in_float(ray));
+    if (i % 2 == 0) ask_triangles(trial, boxes, SolidQuestion(boxes.solids().tree(), ray));
     question.judge_first(trial.naive("the entry where it is >= 0, else the exit"), naive_slabs(box, ray).first());
   }
 }
