@@ -50,7 +50,7 @@ Sketch draw_far_sentinel() {
       .line({0, 0}, {8.5, 0}, Role::ray)
       .dot({6, 0})
       .dot({0, 0}, Role::aid)
-      .label({4.2, 0.7}, "true: t = 1e30")
+      .label({4.2, 0.7}, "true: t = 1e30", Role::truth)
       .label({1, -1}, "1e30 < 1e30 is false: no hit", Role::naive);
 }
 
@@ -191,10 +191,10 @@ Sketch draw_bounds_infinite() {
                 {}};
   for (const double x : {0.0, 3.0, 6.0}) sketch.circle({x, 1}, 1).rectangle({x - 1, 0}, {x + 1, 2}, Role::aid);
   return sketch.line({-4, -0.5}, {10, -0.5}, Role::shape)
-      .line({-3, 4}, {4, -0.5}, Role::ray)
-      .dot({4, -0.5})
+      .line({4.3, 4}, {4.5, -0.5}, Role::ray)
+      .dot({4.5, -0.5})
       .label({-3.5, -1.2}, "its box: infinity times 0 = NaN, and no split is ever best", Role::naive)
-      .label({4.2, -0.2}, "true: hit");
+      .label({4.8, 2.6}, "true: hit", Role::truth);
 }
 
 }  // namespace

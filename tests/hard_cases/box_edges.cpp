@@ -56,12 +56,12 @@ Sketch draw_silhouette() {
   Sketch sketch{"Two rays from one eye, aimed a last place to either side of an edge; drawn far apart.", {}};
   return sketch.rectangle({0, 0}, {3, 2})
       .dot({7, 4}, Role::aid)
-      .line({7, 4}, {-1, 0.2}, Role::ray)
-      .line({7, 4}, {1, -1.5}, Role::ray)
+      .line({7, 4}, {1, -1.625}, Role::ray)
+      .line({7, 4}, {1.4, -1.95}, Role::ray)
       .dot({3, 0}, Role::aid)
-      .dot({3, 2.1})
+      .dot({3, 0.25})
       .label({7, 4.3}, "eye")
-      .label({1.4, -1.9}, "true: one hits, one misses")
+      .label({-1.6, -1}, "true: one hits, one misses", Role::truth)
       .label({3.3, -0.2}, "rounded slabs: either", Role::naive);
 }
 

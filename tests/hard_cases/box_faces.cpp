@@ -49,7 +49,7 @@ Sketch draw_flat() {
   return sketch.line({0, 1}, {4, 1}, Role::shape)
       .line({2, -1}, {2, 2}, Role::ray)
       .dot({2, 1})
-      .label({2.2, 1.2}, "true: entered and left at t = 2")
+      .label({2.2, 1.2}, "true: entered and left at t = 2", Role::truth)
       .label({2.2, 0.4}, "enter < leave is false: no floor", Role::naive);
 }
 
@@ -88,8 +88,8 @@ Sketch draw_origin_on_face() {
       .dot({1, 0.3}, Role::naive)
       .dot({1, -0.3}, Role::naive)
       .label({1.1, 0.4}, "t = 0: found again", Role::naive)
-      .label({-2.4, 0.5}, "true: t = 2")
-      .label({1.2, -0.6}, "true: none");
+      .label({-2.4, 0.5}, "true: t = 2", Role::truth)
+      .label({1.2, -0.6}, "true: none", Role::truth);
 }
 
 // ---- box-normal-eps
@@ -152,7 +152,7 @@ Sketch draw_normal_epsilon() {
       .dot({0, 1})
       .dot({0.3, 0.94}, Role::naive)
       .line({0, 1}, {-1, 1}, Role::truth)
-      .label({-2.4, 0.7}, "true normal: of the slab entered last")
+      .label({-2.4, 0.7}, "true normal: of the slab entered last", Role::truth)
       .label({0.5, 0.9}, "on no face within 1e-6", Role::naive);
 }
 

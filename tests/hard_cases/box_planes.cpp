@@ -47,7 +47,7 @@ Sketch sketch_of_ray_in_face(std::string caption, std::string naive) {
       .line({0, 2}, {3, 2}, Role::truth)
       .dot({0, 2})
       .dot({3, 2})
-      .label({0.6, 2.2}, "true: in the closed box")
+      .label({0.6, 2.2}, "true: in the closed box", Role::truth)
       .label({-2, -0.5}, std::move(naive), Role::naive);
 }
 
@@ -159,7 +159,7 @@ Sketch draw_safe_reciprocal() {
       .dot({0.875, 1.75})
       .dot({1.125, 2.25})
       .dot({0, 0}, Role::aid)
-      .label({1.2, 1.8}, "true: t in [8.75e7, 1.125e8]")
+      .label({1.2, 1.8}, "true: t in [8.75e7, 1.125e8]", Role::truth)
       .label({-0.6, -0.4}, "`too small for 1 / d`: t = infinity, missed", Role::naive);
 }
 

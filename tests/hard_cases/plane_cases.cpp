@@ -86,7 +86,7 @@ Sketch draw_graze() {
       .line({0, 0}, {11, -1.375}, Role::ray)
       .dot({8, -1})
       .dot({0, 0}, Role::aid)
-      .label({5, -0.2}, "true: t = 1e11")
+      .label({5, -0.2}, "true: t = 1e11", Role::truth)
       .label({0.5, 0.5}, "|n.d| < 1e-10 counts as parallel: no floor near the horizon", Role::naive);
 }
 
@@ -148,7 +148,7 @@ Sketch draw_checker_far() {
   return sketch.line({-1, 1.5}, {5.5, -0.3}, Role::ray)
       .dot({4.42, 0})
       .dot({5.05, 0}, Role::naive)
-      .label({3.4, 0.5}, "true")
+      .label({3.4, 0.5}, "true", Role::truth)
       .label({5, 0.3}, "as rounded, 1e6 away: 1/16 off", Role::naive);
 }
 

@@ -134,8 +134,7 @@ void run_tangent(Trial& trial) {
 Sketch draw_tangent() {
   Sketch sketch{"A ray that touches a sphere in one point, in whole numbers.", {}};
   return sketch.circle({0, 0}, 5)
-      .line({0, 8}, {3, 4}, Role::ray)
-      .line({3, 4}, {9, -4}, Role::ray)
+      .line({-1, 7}, {7, 1}, Role::ray)
       .line({0, 0}, {3, 4}, Role::aid)
       .dot({3, 4})
       .label({3.4, 4.3}, "one root, twice: touched, not entered")
@@ -215,7 +214,7 @@ Sketch draw_interval_reject() {
       .dot({-0.348, 0.9375})
       .dot({0.348, 0.9375})
       .label({0.3, 1.15}, "distance, as an interval: may miss, so it is a miss", Role::naive)
-      .label({-3, 0.7}, "true: hit");
+      .label({-3, 0.7}, "true: hit", Role::truth);
 }
 
 }  // namespace

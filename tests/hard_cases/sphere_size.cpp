@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sightline/math/random.h"
+#include "sightline/shape/sphere.h"
 #include "tests/hard_cases/naive_sphere.h"
 #include "tests/hard_cases/solid_question.h"
 #include "tests/hard_cases/sphere_parts.h"
@@ -14,6 +15,15 @@ void ask_school_formula(Trial& trial, const SolidQuestion& question, const solid
                         const Ray<double>& ray) {
   question.judge_spans(trial.naive("the formula from school, in float"),
                        naive_sphere_roots(Vec3f(sphere.center), static_cast<float>(sphere.radius), ray_in_float(ray)));
+}
+
+/// The sphere as a primitive of SphereSet, whose numbers are floats.
+void ask_sphere_set(Trial& trial, const SolidQuestion& question, const solid::Sphere& sphere) {
+  std::vector<double> ends;
+  SphereSet::PreparedRay(question.ray())
+      .for_each_crossing(Sphere{Vec3f(sphere.center), static_cast<float>(sphere.radius)},
+                         [&](const Crossing& crossing) { ends.push_back(crossing.t); });
+  question.judge_crossings(trial.of("sphere set"), ends);
 }
 
 // ---- sph-far
@@ -29,6 +39,7 @@ void run_far(Trial& trial) {
           ray_of_floats({0.5 * std::cos(angle), 0.5 * std::sin(angle), -std::ldexp(1.0, k)}, {0, 0, 1});
       const SolidQuestion question(solid::Sphere{}, ray, sturm_sphere_spans({}, ray));
       question.ask_spans(trial, "sphere");
+      ask_sphere_set(trial, question, {});
       ask_school_formula(trial, question, {}, ray);
       if (i == 0) SolidQuestion(others.tree(), ray, question.truth()).ask_spans(trial, others);
     }
@@ -47,7 +58,7 @@ Sketch draw_far() {
       .dot({20 + 0.866, 0.5})
       .dot({19, 0.5}, Role::naive)
       .dot({21, 0.5}, Role::naive)
-      .label({17, 1.6}, "true chord 1.732")
+      .label({17, 1.6}, "true chord 1.732", Role::truth)
       .label({17, -1.8}, "in float 2, and from 8192 on none", Role::naive)
       .label({-2, 0.9}, "eye");
 }
@@ -75,15 +86,15 @@ Sketch draw_planet() {
       "1000 times.",
       {}};
   std::vector<glm::dvec2> ground;
-  for (int x = -4; x <= 24; ++x) ground.push_back({x, -0.002 * x * x});
+  for (int x = -4; x <= 24; ++x) ground.push_back({x, -0.0005 * x * x});
   return sketch.path(ground)
       .dot({0, 4}, Role::aid)
       .label({0.4, 4.2}, "eye, 1 above a radius of 2^20")
-      .line({0, 4}, {18, -0.65}, Role::ray)
-      .dot({15.6, -0.03})
-      .dot({17.6, -0.55}, Role::naive)
-      .label({9, 1}, "true: t = 16.00195")
-      .label({16, -2}, "in float: 16.00389", Role::naive);
+      .line({0, 4}, {19, -0.75}, Role::ray)
+      .dot({16.55, -0.137})
+      .dot({18.5, -0.625}, Role::naive)
+      .label({9, 1}, "true: t = 16.00195", Role::truth)
+      .label({14, -1.8}, "in float: 16.00389", Role::naive);
 }
 
 // ---- sph-dir-underflow
@@ -94,6 +105,7 @@ void run_direction_underflow(Trial& trial) {
     const Ray<double> ray{{0, 0.5, -4}, {0, 0, std::ldexp(1.0, k)}};
     const SolidQuestion question(solid::Sphere{}, ray, sturm_sphere_spans({}, ray));
     question.ask_spans(trial, "sphere");
+    ask_sphere_set(trial, question, {});
     SolidQuestion(others.tree(), ray, question.truth()).ask_spans(trial, others);
     ask_school_formula(trial, question, {}, ray);
   }
@@ -107,7 +119,7 @@ Sketch draw_direction_underflow() {
       .dot({4 - 0.866, 0.5})
       .dot({4 + 0.866, 0.5})
       .label({0, 0.75}, "d = 2^-80")
-      .label({2.4, 1.3}, "true: t = 3.79e24")
+      .label({2.4, 1.3}, "true: t = 3.79e24", Role::truth)
       .label({2.4, -1.5}, "d d is 0 in float: t = infinity, or 0 / 0", Role::naive);
 }
 
@@ -131,6 +143,7 @@ void run_scale(Trial& trial) {
       const TrueSpans truth = true_solid_spans(solid::Sphere{}, ray);
       const SolidQuestion question(scaled(Vec3d(0)), same, truth);
       question.ask_spans(trial, "sphere");
+      if (is_float) ask_sphere_set(trial, question, scaled(Vec3d(0)));
       if (is_float && i < 20) SolidQuestion(others->tree(), same, truth).ask_spans(trial, *others);
       ask_school_formula(trial, question, scaled(Vec3d(0)), same);
     }
@@ -194,7 +207,7 @@ Sketch draw_absolute_epsilon() {
       .line({0, 0}, {6, 0}, Role::ray)
       .dot({3.55, 0})
       .dot({4.45, 0})
-      .label({2.6, 0.7}, "true: hit at 1 - 9e-6")
+      .label({2.6, 0.7}, "true: hit at 1 - 9e-6", Role::truth)
       .label({2.6, -0.8}, "half chord squared 8.1e-11 < 1e-10: missed", Role::naive);
 }
 

@@ -37,10 +37,10 @@ Sketch draw_near_root() {
   return sketch.circle({0, 0}, 1)
       .line({-0.4, 1.06}, {0.8, -1.3}, Role::ray)
       .dot({-0.4, 1.06}, Role::aid)
-      .dot({-0.31, 0.92})
-      .dot({0.67, -0.75}, Role::naive)
-      .label({-1.6, 1.2}, "origin")
-      .label({-1.4, 0.6}, "true: t > 0, and tiny")
+      .dot({-0.339, 0.941})
+      .dot({0.56, -0.828}, Role::naive)
+      .label({-0.9, 1.2}, "origin")
+      .label({-1.4, 0.6}, "true: t > 0, and tiny", Role::truth)
       .label({0.8, -0.8}, "in float often this one", Role::naive);
 }
 

@@ -58,7 +58,7 @@ Sketch draw_uv_seam() {
       .dot({-1, 0})
       .label({-2.6, 0.25}, "y = +0: u = 1", Role::naive)
       .label({-2.6, -0.35}, "y = -0: u = 0", Role::naive)
-      .label({-0.7, 1.2}, "true: one texel, u = 1/2");
+      .label({-0.7, 1.2}, "true: one texel, u = 1/2", Role::truth);
 }
 
 // ---- sph-pole
