@@ -69,13 +69,13 @@ Sketch draw_silhouette() {
 
 void run_corner_touch(Trial& trial) {
   const Aabb box{Vec3f(0), Vec3f(4)};
-  const BoxesByStructure boxes = boxes_around(box, 400);
+  const BoxesByStructure boxes = boxes_around(box, 1 << 14);
   Random random(53);
   const auto count = trial.count(500);
   for (std::uint64_t i = 0; i < count; ++i) {
     // Up in x and down in y through an edge or a corner, so that only that point is in the box.
     const Vec3d point(4, 4, i % 2 ? 4 : 1 + random.below(3));
-    const auto whole = [&] { return 1.0 + random.below(9); };
+    const auto whole = [&] { return 1.0 + random.below(500); };
     const double x = whole(), y = -whole();
     const Vec3d direction(x, y, i % 2 ? whole() : random.below(3) == 0 ? 0 : 0.125 * whole());
     const double t = 1 + random.below(9);

@@ -132,6 +132,14 @@ void run_checker_far(Trial& trial) {
     const auto judge = [&](Tally& tally, bool found) {
       tally.decide(found == is_odd, [&] { return cell_example(ray, is_odd); });
     };
+    if (i % 8 == 1) {  // past an edge by a last place of double
+      const double ahead = 3 + random.below(5), up = 1 + random.below(9), nudge = random.below(2) ? 0x1p-52 : -0x1p-52;
+      const Ray<double> beside{{random.below(1000) - ahead, up * (1 + nudge), 0.5}, {ahead / 8, -up / 8, 0}};
+      const bool truth = has_odd_cell(beside);
+      trial.of("checker, ray of double").decide(checker.is_odd(ground, beside) == truth, [&] {
+        return cell_example(beside, truth);
+      });
+    }
     judge(trial.of("checker, ray of float"), checker.is_odd(ground, narrow));
     judge(trial.of("checker, ray of double"), checker.is_odd(ground, ray));
 

@@ -88,11 +88,12 @@ void run_pole(Trial& trial) {
           const auto [du, dv] = spherical_derivatives(p);
           const TangentFrame frame = frame_along(n, du, dv);
           const auto example = [&](const TangentFrame& found) {
-            return Example{vector_text(p), "u in [0, 1), v at an end, a frame of unit vectors at right angles",
+            return Example{vector_text(p),
+                           "u in [0, 1), v at an end, dp/du = 0, a frame of unit vectors at right angles",
                            all_digits(uv.x) + ", " + all_digits(uv.y) + ", " + vector_text(found.tangent) + ", " +
                                vector_text(found.bitangent)};
           };
-          const bool has_place = uv.x >= 0 && uv.x < 1 && uv.y == (side > 0 ? 1 : 0);
+          const bool has_place = uv.x >= 0 && uv.x < 1 && uv.y == (side > 0 ? 1 : 0) && du == Vec3d(0) && is_finite(dv);
           trial.of("spherical_uv and frame_along").decide(has_place && is_orthonormal(frame), [&] {
             return example(frame);
           });
