@@ -239,7 +239,7 @@ std::vector<HardCase> plane_cases() {
        .inputs = "rays of float from a few units above a floor of unit cells, which meet it 1e4 to 1e6 away",
        .expected = "the cell in which the ray truly meets the floor",
        .why =
-           "At 1e6 floats are 1/16 apart: the point is rounded into the next cell for one ray in seventy, and edges of "
+           "At 1e6 floats are 1/16 apart: the point is rounded into the next cell for one ray in sixty, and edges of "
            "cells fray. No point needs to stand between: the cell follows from the ray's own numbers.",
        .oracle = Oracle::rationals,
        .run = run_checker_far,

@@ -193,16 +193,18 @@ HardCase sphere_pole() {
 }
 
 HardCase unit_dot_acos() {
-  return {.id = "unit-dot-acos",
-          .group = "sphere",
-          .inputs = "random vectors normalized in float, and poles whose length is 1 + k 2^-23",
-          .expected = "angles that are numbers: 0 between a vector and itself, latitudes in [0, 1]",
-          .why =
-              "Three squares and two sums are rounded, so v.v of a normalized vector is above 1 for one in nine, and "
-              "the arc cosine of that is NaN. atan2 of sine and cosine has no such edge.",
-          .oracle = Oracle::closed_form,
-          .run = run_unit_dot,
-          .draw = draw_unit_dot};
+  return {
+      .id = "unit-dot-acos",
+      .group = "sphere",
+      .inputs = "random vectors normalized in float, and poles whose length is 1 + k 2^-23",
+      .expected = "angles that are numbers: 0 between a vector and itself, latitudes in [0, 1]",
+      .why =
+          "Three squares and two sums are rounded, so v.v of a normalized vector is often above 1, for one in nine to "
+          "one in four by how it is normalized, and the arc cosine of that is NaN. atan2 of sine and cosine has no "
+          "such edge.",
+      .oracle = Oracle::closed_form,
+      .run = run_unit_dot,
+      .draw = draw_unit_dot};
 }
 
 }  // namespace sightline::hard
