@@ -40,8 +40,8 @@ std::optional<Rational> exact_crossing(const Ray<double>& ray, const Triangle& t
   return t;
 }
 
-/// Decisions are those of real arithmetic (T1) and the point reported is within half the double margin of the true one
-/// (T2).
+/// Decisions are those of real arithmetic (T1), the point reported is within half the double margin of the true one
+/// (T2), and on the true side of the origin (T3).
 void expect_exact(const Ray<double>& ray, const Triangle& triangle, int& hits) {
   const TriangleRay prepared(ray, bounds_of(triangle));
   Crossing crossing{};
@@ -53,6 +53,7 @@ void expect_exact(const Ray<double>& ray, const Triangle& triangle, int& hits) {
   const double error = std::fabs(Rational(Rational(crossing.t) - *expected).convert_to<double>());
   const double allowed = margin<double> / 2 * reach_of(ray.origin, bounds_of(triangle));
   ASSERT_LE(error * max_norm(ray.direction), allowed);
+  ASSERT_EQ((crossing.t > 0) - (crossing.t < 0), expected->sign());
   ASSERT_GE(crossing.u, -1e-9);
   ASSERT_GE(crossing.v, -1e-9);
   ASSERT_LE(crossing.u + crossing.v, 1 + 1e-9);
@@ -129,6 +130,36 @@ TEST(Triangle, IsExactOnTheLattice) {
     if (HasFatalFailure()) FAIL() << "case " << i;
   }
   EXPECT_GT(hits, 500);
+}
+
+/// Rays that start in a triangle, or as close to it as doubles do.
+TEST(Triangle, IsNotHitFromWhereARayStarts) {
+  Random random(9);
+  int hits = 0, on_plane = 0;
+  for (int i = 0; i < 4'000; ++i) {
+    const float scale = std::ldexp(1.0f, static_cast<int>(random.below(40)) - 20);
+    const auto lattice = [&] {
+      const auto whole = [&] { return scale * 4 * (static_cast<float>(random.below(41)) - 20); };
+      const float x = whole(), y = whole();
+      return Vec3f(x, y, i % 5 == 0 ? 3 * scale : whole());  // some across an axis
+    };
+    const Triangle triangle{lattice(), lattice(), lattice()};
+    const auto part = [&] { return random.uniform_double() - 0.5; };
+    const double x = part(), y = part();
+    // Quarters of lattice points: exact.
+    Ray<double> ray{0.5 * Vec3d(triangle.a) + 0.25 * (Vec3d(triangle.b) + Vec3d(triangle.c)), {x, y, part()}};
+    if (i % 2 == 0) {
+      double& moved = ray.origin[static_cast<int>(random.below(3))];
+      const double away = random.below(2) == 0 ? 1 : -1;
+      moved += away * scale * std::ldexp(1.0, -static_cast<int>(random.below(60)));
+    }
+    const auto t = exact_crossing(ray, triangle);
+    on_plane += t && *t == 0;
+    expect_exact(ray, triangle, hits);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(hits, 3'000);
+  EXPECT_GT(on_plane, 1'000);
 }
 
 TEST(Triangle, IsHitHoweverSmall) {

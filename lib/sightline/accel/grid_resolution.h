@@ -44,7 +44,7 @@ inline std::array<int, 3> grid_resolution(const Aabb& bounds, double cells) {
       if (!is_open[axis]) continue;
       const double wanted = extent[axis] * layers_per_unit, allowed = std::clamp(wanted, 1.0, most_layers(axis));
       const double ratio = std::max(allowed / wanted, wanted / allowed);
-      layers[axis] = static_cast<int>(allowed);
+      layers[axis] = static_cast<int>(std::min(allowed, cells));  // R1, where all others are thinner than a layer
       if (ratio > strictest_ratio) strictest = axis, strictest_ratio = ratio;
     }
     if (strictest < 0) return layers;

@@ -31,6 +31,23 @@ std::array<Expansion<16>, 3> cross(const ExactVector& p, const ExactVector& q) {
   return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
 }
 
+/// How far the origin is from a triangle's plane, in units of the normal's length, as a vertex relative to the origin
+/// over the plane's own normal. That is rounded by its edges, which are short where the origin is next to it: with the
+/// absolute values of the products in place of the products, the normal by 4 u, and the sum by 4 u more.
+struct Height {
+  double value, bound;
+
+  Height(const Triangle& triangle, const Vec3d& a) {
+    const Vec3d p = Vec3d(triangle.b) - Vec3d(triangle.a), q = Vec3d(triangle.c) - Vec3d(triangle.a);
+    const Vec3d size_p = glm::abs(p), size_q = glm::abs(q), size_a = glm::abs(a);
+    value = glm::dot(a, glm::cross(p, q));
+    bound = 10 * unit_roundoff *
+            (size_a.x * (size_p.y * size_q.z + size_p.z * size_q.y) +
+             size_a.y * (size_p.z * size_q.x + size_p.x * size_q.z) +
+             size_a.z * (size_p.x * size_q.y + size_p.y * size_q.x));
+  }
+};
+
 auto dot(const Vec3d& d, const std::array<Expansion<16>, 3>& n) {
   return Expansion<1>(d.x) * n[0] + Expansion<1>(d.y) * n[1] + Expansion<1>(d.z) * n[2];
 }
@@ -63,7 +80,16 @@ bool TriangleRay::settle(const Triangle& triangle, const Vec3d& a, const Vec3d& 
   const double sum = u + v + w;
   const bool is_settled = (lowest > bound || highest < -bound) && std::fabs(sum) > least_weight * size * size;
   if (!is_settled) return intersect_exactly(triangle, crossing);
-  crossing.t = (u * a[kz_] + v * b[kz_] + w * c[kz_]) * scale_z_ / sum;
+  const double height = u * a[kz_] + v * b[kz_] + w * c[kz_], share = std::fabs(sum);
+  if (std::fabs(height) > reach * (4 * bound + 8 * unit_roundoff * share)) [[likely]] {
+    crossing.t = height * scale_z_ / sum;
+  } else {
+    // T3: three edge functions are off by 3 bound, and weights of one sign round the mean by 4 u of reach.
+    const Height own(triangle, a);
+    const bool is_sure = std::fabs(own.value) > own.bound && own.bound <= 0x1p-37 * reach * share;
+    if (!is_sure || bound > 0x1p-20 * share) return intersect_exactly(triangle, crossing);
+    crossing.t = -own.value * std::fabs(scale_z_) / sum;
+  }
   crossing.u = v / sum;
   crossing.v = w / sum;
   return true;

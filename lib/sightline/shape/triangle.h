@@ -9,6 +9,7 @@
 ///   T1  A decision is the one real arithmetic would make.
 ///   T2  A reported t is off by so little that margin M1 (padded_ray.h) holds: where the edge functions are too small a
 ///       share of the projected size for that, t comes from expansions as well.
+///   T3  The sign of t is the true one, so a ray that starts on a triangle does not find it again.
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,7 @@
+#include "tests/hard_cases/hard_cases.h"
+
+namespace sightline::hard {
+
+std::vector<HardCase> triangle_cases() { return {}; }
+
+}  // namespace sightline::hard
