@@ -71,6 +71,9 @@ class SolidQuestion {
   void ask_spans(Trial& trial, const UnionByStructure& solids) const;
   /// The first boundary with t > 0, at all levels.
   void ask_first(Trial& trial, std::string_view who) const;
+  /// The same of the ray among fifteen neighbours, through a structure that takes packets, and whether there is one.
+  /// Solids that are empty or have no bounds cannot be asked so: nothing is added.
+  void ask_packet(Trial& trial, std::string_view who) const;
 
   /// Answers of other code, which promises nothing: a number is within the bound where it is off by no more than 2^-19
   /// of itself, 32 roundings of float.
