@@ -101,7 +101,8 @@ void ask_period(Trial& trial, const Noise& noise, const glm::vec<3, T>& p, T shi
   const auto here = noise.sample(p), there = noise.sample(p + shift);
   const bool is_same = noise(p) == noise(p + shift) && here.value == there.value && here.gradient == there.gradient;
   trial.of(who_asks<T>(noise.options().kind)).decide(is_same, [&] {
-    return Example{point_text(p) + " + " + number_text(shift), number_text(here.value), number_text(there.value)};
+    return Example{vector_text(glm::dvec3(p)) + " + " + all_digits(shift), all_digits(here.value),
+                   all_digits(there.value)};
   });
 }
 
@@ -120,7 +121,7 @@ void run_period(Trial& trial) {
       const glm::vec3 q(random.uniform(), random.uniform(), random.uniform());
       const float here = naive_noise(noise, q, floored), there = naive_noise(noise, q + 256.0f, floored);
       trial.naive("tiles moved by 256 in float").decide(here == there, [&] {
-        return Example{point_text(q) + " + 256", number_text(here), number_text(there)};
+        return Example{vector_text(glm::dvec3(q)) + " + 256", all_digits(here), all_digits(there)};
       });
     }
   }

@@ -4,24 +4,17 @@
 
 #include "sightline/math/random.h"
 #include "sightline/noise/noise_field.h"
-#include "tests/hard_cases/hard_cases.h"
 #include "tests/hard_cases/noise_parts.h"
 #include "tests/hard_cases/noise_question.h"
 
 namespace sightline::hard {
 namespace {
 
-glm::dvec3 whole_point(Random& random, std::uint32_t size) {
-  const auto one = [&] { return static_cast<double>(random.below(2 * size + 1)) - size; };
-  const double x = one(), y = one();
-  return {x, y, one()};
-}
-
 // ---- noise-lattice
 
 template <class T>
 void ask_zero(Trial& trial, std::string_view more, NoiseKind kind, const glm::dvec3& at, T got) {
-  trial.of(who_asks<T>(kind, more)).decide(got == 0, [&] { return Example{point_text(at), "0", number_text(got)}; });
+  trial.of(who_asks<T>(kind, more)).decide(got == 0, [&] { return Example{vector_text(at), "0", all_digits(got)}; });
 }
 
 /// Twelve vectors to the middles of a cube's edges: two components are 1 or -1, exactly.
@@ -29,7 +22,7 @@ void ask_edge(Trial& trial, const glm::dvec3& at, const glm::dvec3& gradient) {
   int zeros = 0, ones = 0;
   for (int axis = 0; axis < 3; ++axis) zeros += gradient[axis] == 0, ones += std::fabs(gradient[axis]) == 1;
   trial.of("improved, gradient there").decide(zeros == 1 && ones == 2, [&] {
-    return Example{point_text(at), "two components of 1 or -1", point_text(gradient)};
+    return Example{vector_text(at), "two components of 1 or -1", vector_text(gradient)};
   });
 }
 
@@ -40,7 +33,7 @@ void run_lattice(Trial& trial) {
     const NoiseField field({.noise = {.kind = kind, .seed = 2}, .fractal = FractalKind::fbm, .octaves = 4});
     std::vector<glm::vec3> points;
     for (std::uint64_t i = 0, count = trial.count(4000); i < count; ++i) {
-      const glm::dvec3 p = whole_point(random, i % 2 == 0 ? 300 : 1u << 21);
+      const glm::dvec3 p = random_lattice_vector(random, i % 2 == 0 ? 300 : 1u << 21);
       ask_zero(trial, "", kind, p, noise(p));
       ask_zero(trial, "", kind, p, noise(glm::vec3(p)));
       ask_zero(trial, ", in the plane", kind, p, noise(glm::vec2(p)));
@@ -96,7 +89,7 @@ void run_negative(Trial& trial) {
       judge_noise(trial.of(who_asks<float>(kind)), noise, p, noise(glm::vec3(p)));
       const double here = periodic(p), there = periodic(p + 256.0);
       trial.of(who_asks<double>(kind, ", as a period on")).decide(here == there, [&] {
-        return Example{point_text(p), number_text(there), number_text(here)};
+        return Example{vector_text(p), all_digits(there), all_digits(here)};
       });
       if (kind != NoiseKind::perlin) continue;
       judge_noise(trial.naive("cells by (int)x"), noise, p, naive_noise(noise, glm::vec3(p), truncated));
@@ -124,7 +117,7 @@ void run_negative_tiny(Trial& trial) {
       // Along a lattice line, where noise is 0, so that its slope shows; every other time anywhere on a lattice plane.
       const float tiny =
           (i % 3 == 0 ? 1.0f : -1.0f) * (i < 2 ? 1e-9f : std::ldexp(1 + random.uniform(), -25 - int(i % 90)));
-      glm::vec3 p(whole_point(random, 100));
+      glm::vec3 p(random_lattice_vector(random, 100));
       p.x = tiny;
       const bool is_on_line = i % 2 == 0;
       if (!is_on_line) p.y += random.uniform(), p.z += random.uniform();
@@ -161,7 +154,7 @@ void judge_curvature(Tally& tally, const glm::dvec3& p, double step, double expe
   const double off = std::fabs(got - expected), allowed = 32 * 0x1p-52 / std::fabs(step);
   const Verdict verdict = off == 0 ? Verdict::exact : off <= allowed ? Verdict::within_bound : Verdict::wrong;
   tally.add(verdict, expected == 0 ? 0 : off / std::fabs(expected), [&] {
-    return Example{point_text(p), number_text(expected), number_text(got)};
+    return Example{vector_text(p), all_digits(expected), all_digits(got)};
   });
 }
 
@@ -173,7 +166,7 @@ void run_second_derivative(Trial& trial) {
   const Noise quintic({.kind = NoiseKind::value, .ease = Ease::quintic}), cubic({.kind = NoiseKind::value});
   const glm::dvec3 x(1, 0, 0);
   for (std::uint64_t i = 0, count = trial.count(4000); i < count; ++i) {
-    const glm::dvec3 p = whole_point(random, 1000);
+    const glm::dvec3 p = random_lattice_vector(random, 1000);
     for (const double side : {-1.0, 1.0}) {
       const auto rise = [&](const Noise& noise) { return side * (noise(p + side * x) - noise(p)); };
       // From one lattice point to the next noise is a + rise ease(t), and its slope rise 30 t^2 (1 - t)^2, or of the
@@ -188,7 +181,7 @@ void run_second_derivative(Trial& trial) {
   for (const double t : {0.0, 1.0}) {
     const double inside = t == 0 ? step : 1 - step, bend = 2 * (cubic_ease(inside) - cubic_ease(t)) / (step * step);
     trial.naive("3 t^2 - 2 t^3").decide(std::fabs(bend) < 1, [&] {
-      return Example{"t = " + number_text(t), "0", number_text(bend)};
+      return Example{"t = " + all_digits(t), "0", all_digits(bend)};
     });
   }
 }

@@ -1,19 +1,8 @@
 #include "tests/hard_cases/noise_question.h"
 
-#include <charconv>
-
 #include "tests/noise/lattice_oracle.h"
 
 namespace sightline::hard {
-
-std::string number_text(double x) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x).ptr};
-}
-
-std::string point_text(const glm::dvec3& p) {
-  return "(" + number_text(p.x) + ", " + number_text(p.y) + ", " + number_text(p.z) + ")";
-}
 
 template <class T>
 void judge_noise(Tally& tally, const Noise& noise, const glm::dvec3& at, T got, double size) {
@@ -26,7 +15,7 @@ void judge_noise(Tally& tally, const Noise& noise, const glm::dvec3& at, T got, 
   const Verdict verdict = got == nearest ? Verdict::exact : off <= allowed ? Verdict::within_bound : Verdict::wrong;
   const auto error = static_cast<double>(Wide(off / size));
   tally.add(verdict, error, [&] {
-    return Example{point_text(at), number_text(static_cast<double>(truth)), number_text(static_cast<double>(got))};
+    return Example{vector_text(at), all_digits(static_cast<double>(truth)), all_digits(static_cast<double>(got))};
   });
 }
 

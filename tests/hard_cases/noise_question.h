@@ -6,7 +6,7 @@
 #include <string>
 
 #include "sightline/noise/noise.h"
-#include "tests/hard_cases/hard_case.h"
+#include "tests/hard_cases/random_vectors.h"
 
 namespace sightline::hard {
 
@@ -17,10 +17,6 @@ namespace sightline::hard {
 /// told as parts of `size`: the value itself may be 0.
 template <class T>
 void judge_noise(Tally& tally, const Noise& noise, const glm::dvec3& at, T got, double size = 1);
-
-std::string point_text(const glm::dvec3& p);
-/// As many digits as tell it from its neighbours.
-std::string number_text(double x);
 
 inline constexpr std::array lattice_noises{NoiseKind::perlin, NoiseKind::improved, NoiseKind::value};
 inline constexpr std::array gradient_noises{NoiseKind::perlin, NoiseKind::improved};
