@@ -100,6 +100,7 @@ void run_camera_inside(Trial& trial) {
       const Ray<double> ray{eye, towards};
       const SolidQuestion question(tree, ray);
       ask_all_ways(trial, question);
+      if (i % 8 == 0) question.ask_each_structure(trial);
       ask_normal(trial, tree, ray, question);
     };
     for (const Vec3d& eye : {inside, on_cut}) ask(cut_ball, eye, direction), ask(cut_ball, eye, {i % 2 ? 1 : -1, 0, 0});

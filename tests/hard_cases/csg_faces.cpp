@@ -90,6 +90,7 @@ void run_pov(Trial& trial) {
     const Ray<double> ray{eye, Vec3d(at.x, at.y, 1.1 * at.z) - eye};
     const SolidQuestion question(holed, ray);
     ask_all_ways(trial, question);
+    if (i % 4 == 0) question.ask_each_structure(trial);
     question.judge_spans(trial.naive("is the point in the other solid?"), hits_kept_by_points(ray, wall, cutter));
   }
 }
@@ -142,7 +143,7 @@ Sketch draw_edge_share() {
       .dot({0, 0})
       .line({-0.12, -0.09}, {0.12, 0.09}, Role::naive)
       .label({0.2, -0.4}, "in and out at one point: one span", Role::truth)
-      .label({-2.6, 0.4}, "t by x and t by y round apart: two spans", Role::naive);
+      .label({-3, 2.4}, "t by x and t by y round apart: two spans", Role::naive);
 }
 
 // ---- csg-deep

@@ -97,7 +97,11 @@ Sketch draw_gap() {
       .line({-3, 0.2}, {3, 0.2}, Role::ray)
       .line({-1.234, 0.2}, {-0.98, 0.2}, Role::truth)
       .line({0.98, 0.2}, {1.234, 0.2}, Role::truth)
-      .label({-3, 0.4}, "two spans as long as it has any thickness", Role::truth)
+      .dot({-1.234, 0.2})
+      .dot({-0.98, 0.2})
+      .dot({0.98, 0.2})
+      .dot({1.234, 0.2})
+      .label({-3, 1.5}, "two spans as long as it has any thickness", Role::truth)
       .label({-2.6, -1.6}, "with eps = 1e-5 it is gone from k = 17 on", Role::naive);
 }
 
@@ -125,7 +129,7 @@ void run_ulp_seam(Trial& trial) {
 
 Sketch draw_ulp_seam() {
   return spans_beside("What is below 0.3 and what is above 0.1 + 0.2, the gap widened 10^16 times.",
-                      {{-1, 2}, {2.6, 6}}, {"x <= 0.3", "x >= 0.1 + 0.2"})
+                      {{0.7, 2}, {2.6, 6}}, {"x <= 0.3", "x >= 0.1 + 0.2"})
       .line({2, 0}, {2.6, 0}, Role::truth)
       .label({1.2, -0.5}, "5.55e-17 of nothing between two neighbouring doubles", Role::truth)
       .label({1.2, -1.1}, "any eps closes it", Role::naive);

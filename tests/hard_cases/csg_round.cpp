@@ -44,7 +44,7 @@ Vec3d whole_direction(Random& random) {
 
 void run_tangent(Trial& trial) {
   Random random(51);
-  for (std::uint64_t i = 0, count = trial.count(300); i < count; ++i) {
+  for (std::uint64_t i = 0, count = trial.count(250); i < count; ++i) {
     // Two balls that touch at a point, and rays through it: along both centers, and anyhow.
     const auto [point, radius] = whole_point(random);
     const Vec3d center = random_lattice_vector(random, 8), touch = center + point;
@@ -79,8 +79,8 @@ Sketch draw_tangent() {
       .dot({1, 0}, Role::truth)
       .line({1, 0}, {1.1, 0}, Role::naive)
       .rectangle({-1, -1}, {1, 1}, Role::aid)
-      .label({-1.9, 1.3}, "one point in common: nothing is taken", Role::truth)
-      .label({-1.9, -1.6}, "rounding makes a spike of it", Role::naive);
+      .label({-1.9, 2.3}, "one point in common: nothing is taken", Role::truth)
+      .label({-1.9, -2.4}, "rounding makes a spike of it", Role::naive);
 }
 
 // ---- csg-frames
@@ -102,7 +102,9 @@ void run_frames(Trial& trial) {
     const SolidTree same_ball = framed(ball_of(there, radius * std::fabs(scale)), frame);
     const SolidTree same_cube = framed(box_of(min(a, b), max(a, b)), frame);
     const Ray<double> ray{center + 9.0 * random_in_cube(random), random_in_cube(random)};
-    ask_all_ways(trial, SolidQuestion(ball | same_ball, ray, true_solid_spans(ball, ray)));
+    const SolidQuestion whole(ball | same_ball, ray, true_solid_spans(ball, ray));
+    ask_all_ways(trial, whole);
+    whole.ask_each_structure(trial);
     for (const SolidTree& nothing : {ball - same_ball, ball ^ same_ball, same_ball - ball, cube - same_cube}) {
       ask_all_ways(trial, SolidQuestion(nothing, ray, TrueSpans{}));
     }
@@ -119,12 +121,12 @@ Sketch draw_frames() {
   return sketch.circle({0, 0}, 1)
       .circle({5, 0}, 3, Role::aid)
       .line({-2, -0.5}, {2, 0.5}, Role::ray)
-      .line({1, -2}, {9, 2}, Role::aid)
+      .line({-1, -1.5}, {11, 1.5}, Role::aid)
       .line({0, 1}, {5, 3}, Role::aid)
       .label({-2, 1.6}, "in the world")
       .label({4, 3.3}, "in its frame")
-      .label({-2, -1.6}, "truth of the one less the other: nothing", Role::truth)
-      .label({-2, -2.1}, "the ray is rounded on its way into the frame: slivers", Role::naive);
+      .label({-2, -3.4}, "truth of the one less the other: nothing", Role::truth)
+      .label({-2, -4}, "the ray is rounded on its way into the frame: slivers", Role::naive);
 }
 
 // ---- csg-pythagoras

@@ -74,6 +74,8 @@ class SolidQuestion {
   /// The same of the ray among fifteen neighbours, through a structure that takes packets, and whether there is one.
   /// Solids that are empty or have no bounds cannot be asked so: nothing is added.
   void ask_packet(Trial& trial, std::string_view who) const;
+  /// The same of the ray alone through every structure, by its name.
+  void ask_each_structure(Trial& trial) const;
 
   /// Answers of other code, which promises nothing: a number is within the bound where it is off by no more than 2^-19
   /// of itself, 32 roundings of float.
@@ -87,6 +89,8 @@ class SolidQuestion {
   void judge_first(Tally& tally, std::optional<double> t, Level level, Rule rule) const;
   Verdict verdict_of(std::size_t end, double t, Level level) const;
   Verdict verdict_of_naive(std::size_t end, double t, Level) const;
+  bool is_primitive() const;  ///< Of structures.
+  void judge_hit(Tally& tally, const Hit<double>& hit, bool is_hit, Level level) const;
   Example example(const std::string& expected, std::span<const double> got) const;
 
   SolidTree tree_;
