@@ -56,7 +56,7 @@ void run_chain(Trial& trial) {
 }
 
 Sketch draw_chain() {
-  Sketch sketch{"A square turned again and again by a matrix of float; its growth is drawn five times as fast.", {}};
+  Sketch sketch{"A square turned again and again by a matrix of float; its growth is exaggerated.", {}};
   for (int i = 0; i <= 5; ++i) {
     const double angle = 0.3 * i, size = 1 + 0.08 * i;
     std::vector<glm::dvec2> corners;

@@ -188,7 +188,7 @@ Sketch draw_reflect() {
       .label({0.8, -1.3}, "2")
       .label({2.4, 1.1}, "3")
       .label({-3.2, -1.9}, "counter-clockwise: seen from outside", Role::truth)
-      .label({0.2, -1.9}, "clockwise: now outside is inside", Role::naive);
+      .label({-3.2, -2.4}, "clockwise: now outside is inside", Role::naive);
 }
 
 }  // namespace

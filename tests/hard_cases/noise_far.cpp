@@ -140,7 +140,7 @@ Sketch draw_period() {
     }
   }
   return sketch.label({0, 1.2}, "x: same bits wherever the fraction fits", Role::truth)
-      .label({3.5, 1.2}, "x + 256: a coarser grid, other places", Role::naive);
+      .label({3.5, -1.4}, "x + 256: a coarser grid, other places", Role::naive);
 }
 
 }  // namespace

@@ -101,10 +101,10 @@ Sketch draw_negative() {
   Sketch sketch =
       noise_line("-0.5 lies half way from -1 to 0. Truncated, it is -0.5 away from 0, outside of its cell.");
   return sketch.dot({-0.5, 0})
-      .line({-1, -0.3}, {-0.5, -0.3}, Role::truth)
-      .line({0, -0.5}, {-0.5, -0.5}, Role::naive)
-      .label({-1.9, -0.35}, "floor: 0.5 from -1", Role::truth)
-      .label({0.1, -0.55}, "(int): -0.5 from 0, and two cells called 0", Role::naive);
+      .line({-1, -0.55}, {-0.5, -0.55}, Role::truth)
+      .line({0, -0.75}, {-0.5, -0.75}, Role::naive)
+      .label({-2.2, -0.57}, "floor: 0.5 from -1", Role::truth)
+      .label({0.1, -0.77}, "(int): -0.5 from 0, and two cells called 0", Role::naive);
 }
 
 // ---- noise-neg-tiny

@@ -85,7 +85,7 @@ Sketch draw_interpolated_below() {
       .line({0, 0}, {2.7, 0.7}, Role::ray)
       .line({0, 0}, {-0.6, 1.1}, Role::naive)
       .line({0, 0}, {0.6, -1.1}, Role::naive)
-      .line({0, 0}, {-0.058, 1.252}, Role::truth)
+      .line({0, 0}, {-0.01, 1.253}, Role::truth)
       .label({2.2, 0.9}, "to the viewer")
       .label({-2.9, 1.1}, "n . w < 0: black", Role::naive)
       .label({0.7, -1.1}, "-n: light leaks from below", Role::naive)
