@@ -92,10 +92,10 @@ SolidTree framed(SolidTree tree, const Frame& frame) {
 
 void run_frames(Trial& trial) {
   Random random(52);
-  const auto whole = [&] { return random_lattice_vector(random, 4); };
+  const auto lattice = [&] { return random_lattice_vector(random, 4); };
   for (std::uint64_t i = 0, count = trial.count(250); i < count; ++i) {
     const double scale = std::array{2.0, 0.5, 3.0, -1.0, -5.0}[random.below(5)], radius = 1 + random.below(8);
-    const Vec3d move = whole(), center = whole(), there = scale * center + move;
+    const Vec3d move = lattice(), center = lattice(), there = scale * center + move;
     const Vec3d a = scale * (center - radius) + move, b = scale * (center + radius) + move;
     const Frame frame{{{{scale, 0, 0, move.x}, {0, scale, 0, move.y}, {0, 0, scale, move.z}}}};
     const SolidTree ball = ball_of(center, radius), cube = box_of(center - radius, center + radius);
