@@ -70,6 +70,12 @@ void run_two_to_31(Trial& trial) {
                      near(fraction.x + std::fmod(far, 256), fraction.y, fraction.z);
     judge_noise(trial.of(who_asks<double>(NoiseKind::improved)), improved, near, improved(p));
     judge_noise(trial.of(who_asks<double>(NoiseKind::perlin)), perlin, p, perlin(p));
+    const double next = perlin(p + glm::dvec3(1, 0, 0)), folded = perlin(near),
+                 wrapped = perlin(p - glm::dvec3(0x1p32, 0, 0));
+    const bool goes_on = perlin(p) != next && perlin(p) != folded && perlin(p) != wrapped;
+    trial.of(who_asks<double>(NoiseKind::perlin, ", without repeating")).decide(goes_on, [&] {
+      return Example{vector_text(p), "other values a cell, 2^32 and any number of periods away", all_digits(next)};
+    });
     // Of floats as far away there are lattice points alone along x.
     const float narrow = static_cast<float>(far);
     const glm::vec3 q(narrow, fraction.y, fraction.z);
