@@ -78,6 +78,11 @@ class SolidQuestion {
   void ask_spans(Trial& trial, const UnionByStructure& solids) const;
   /// The first boundary with t > 0, at all levels.
   void ask_first(Trial& trial, std::string_view who) const;
+  /// The same of the ray among fifteen neighbours, through a structure that takes packets, and whether there is one.
+  /// Solids that are empty or have no bounds cannot be asked so: nothing is added.
+  void ask_packet(Trial& trial, std::string_view who) const;
+  /// The same of the ray alone through every structure, by its name.
+  void ask_each_structure(Trial& trial) const;
 
   /// Crossings of a primitive in double, without a level, by M1 of accel/padded_ray.h: off by no more than 2^-35 of the
   /// distance to the farthest part of the solid.
@@ -96,6 +101,8 @@ class SolidQuestion {
   Verdict verdict_of(std::size_t end, double t, Level level) const;
   Verdict verdict_of_crossing(std::size_t end, double t, Level) const;
   Verdict verdict_of_naive(std::size_t end, double t, Level) const;
+  bool is_primitive() const;  ///< Of structures.
+  void judge_hit(Tally& tally, const Hit<double>& hit, bool is_hit, Level level) const;
   Example example(const std::string& expected, std::span<const double> got) const;
 
   SolidTree tree_;

@@ -67,6 +67,20 @@ TEST(HardCases, FramePole) {
   }
 }
 
+/// Directions along the normal have nothing at right angles to it but rounding, which is no direction.
+TEST(TangentFrame, TakesNoDirectionFromRounding) {
+  Random random(6);
+  for (int i = 0; i < 20'000; ++i) {
+    Vec3d n = random_direction(random);
+    n.x = std::ldexp(n.x, -static_cast<int>(random.below(60))),
+    n.y = std::ldexp(n.y, -static_cast<int>(random.below(60)));
+    normalize_safely(n);
+    const double length = 1 + random.uniform_double();
+    expect_orthonormal(frame_along(n, length * n, n));
+    expect_orthonormal(frame_along(n, Vec3d(0), -length * n));
+  }
+}
+
 using Corners = std::array<Vec3d, 3>;
 using Uvs = std::array<glm::dvec2, 3>;
 

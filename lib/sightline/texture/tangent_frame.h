@@ -48,9 +48,11 @@ inline TangentFrame frame_along(const Vec3d& n, const Vec3d& du, const Vec3d& dv
   const auto within_plane = [&](Vec3d v) {
     if (!normalize_safely(v)) return Vec3d(0);
     v -= glm::dot(n, v) * n;
-    // Twice is enough: once may leave as much along n as there was rounding in a v that is nearly n.
+    const double once = max_norm(v);
+    // Twice is enough: once may leave as much along n as there was rounding in a v that is nearly n. Where little is
+    // left then, all of it was rounding. Kahan, in Parlett, "The Symmetric Eigenvalue Problem", 1980.
     v -= glm::dot(n, v) * n;
-    return normalize_safely(v) ? v : Vec3d(0);
+    return max_norm(v) > once / 2 && normalize_safely(v) ? v : Vec3d(0);
   };
   Vec3d tangent = within_plane(du);
   if (tangent == Vec3d(0)) {
