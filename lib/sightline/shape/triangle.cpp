@@ -66,15 +66,15 @@ TriangleRay::TriangleRay(const Ray<double>& ray, const Aabb& bounds) : origin_(r
   shear_x_ = has_inverse ? direction_[kx_] * scale_z_ : direction_[kx_] / along;
   shear_y_ = has_inverse ? direction_[ky_] * scale_z_ : direction_[ky_] / along;
   const double reach = reach_of(origin_, bounds);
-  edge_bound_ = edge_error * reach;
-  sign_bound_ = 2 * edge_bound_ * reach;  // M <= 2 m, as slopes are at most 1
+  sign_bound_ = 2 * edge_error * reach * reach;  // M <= 2 m, as slopes are at most 1
 }
 
 bool TriangleRay::settle(const Triangle& triangle, const Vec3d& a, const Vec3d& b, const Vec3d& c, const Sheared& s,
                          double u, double v, double w, Crossing& crossing) const {
+  const double reach = std::max({max_norm(a), max_norm(b), max_norm(c)});
   const double size =
       std::max({std::fabs(s.ax), std::fabs(s.ay), std::fabs(s.bx), std::fabs(s.by), std::fabs(s.cx), std::fabs(s.cy)});
-  const double bound = edge_bound_ * size;
+  const double bound = edge_error * reach * size;
   const double lowest = std::min({u, v, w}), highest = std::max({u, v, w});
   if (lowest < -bound && highest > bound) return false;
   const double sum = u + v + w;

@@ -82,8 +82,7 @@ class TriangleRay {
   Vec3d origin_, direction_;
   int kx_, ky_, kz_;  ///< kz is the axis of the direction's largest component; x and y swap where that is negative.
   double shear_x_, shear_y_, scale_z_;
-  double edge_bound_;  ///< Error of an edge function of any triangle in the bounds, for its largest sheared coordinate,
-  double sign_bound_;  ///< and whatever that is.
+  double sign_bound_;  ///< Error of an edge function of any triangle in the bounds.
 };
 
 }  // namespace sightline
