@@ -19,6 +19,27 @@ constexpr double edge_error = 40 * unit_roundoff;
 /// 2^-35 m that margin M1 grants to double rays, so the sum must exceed this share of M^2.
 constexpr double least_weight = 3 * edge_error * 0x1p+35;
 
+/// The height of the origin over the triangle, u a + v b + w c along z, is off by at most this share of m times an edge
+/// function's error: 3 for those of u, v and w, 2 for its own roundings; the rest is for terms in u^2. Below that the
+/// sign of t is open.
+constexpr double height_error = 8;
+
+/// Of a product of three differences, summed over three axes: at most 8 u of the sum of sizes.
+constexpr double volume_error = 16 * unit_roundoff;
+
+/// t by the triangle's normal, from its corner a relative to the origin: errors are small beside the triangle's size
+/// and not beside its distance, so this tells on which side of its plane an origin near it is. False where it does not.
+bool parameter_by_normal(const Triangle& triangle, const Vec3d& a, const Vec3d& direction, double& t) {
+  const Vec3d p = Vec3d(triangle.b) - Vec3d(triangle.a), q = Vec3d(triangle.c) - Vec3d(triangle.a);
+  const Vec3d size(std::fabs(p.y * q.z) + std::fabs(p.z * q.y), std::fabs(p.z * q.x) + std::fabs(p.x * q.z),
+                   std::fabs(p.x * q.y) + std::fabs(p.y * q.x));
+  const Vec3d normal = glm::cross(p, q);
+  const double height = glm::dot(a, normal), slope = glm::dot(direction, normal);
+  t = height / slope;
+  return std::fabs(height) > volume_error * glm::dot(glm::abs(a), size) &&
+         std::fabs(slope) > volume_error * glm::dot(glm::abs(direction), size);
+}
+
 struct ExactVector {
   Expansion<2> x, y, z;
 };
@@ -61,7 +82,12 @@ bool TriangleRay::settle(const Triangle& triangle, const Vec3d& a, const Vec3d& 
   const double sum = u + v + w;
   const bool is_settled = (lowest > bound || highest < -bound) && std::fabs(sum) > least_weight * size * size;
   if (!is_settled) return intersect_exactly(triangle, crossing);
-  crossing.t = (u * a[kz_] + v * b[kz_] + w * c[kz_]) * scale_z_ / sum;
+  const double height = u * a[kz_] + v * b[kz_] + w * c[kz_];
+  crossing.t = height * scale_z_ / sum;
+  // A ray that begins on a triangle does not meet it again (Ray): t has the sign that it has in real arithmetic.
+  if (std::fabs(height) <= height_error * bound * reach && !parameter_by_normal(triangle, a, direction_, crossing.t)) {
+    return intersect_exactly(triangle, crossing);
+  }
   crossing.u = v / sum;
   crossing.v = w / sum;
   return true;
