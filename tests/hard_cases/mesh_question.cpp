@@ -148,13 +148,16 @@ void MeshQuestion::ask_crossings(Trial& trial) const {
   const std::vector<Vec3d> vertices(mesh_.positions().begin(), mesh_.positions().end());
   Tally& tally = trial.of("triangle-crossings", Level::exact);
   for (std::size_t i = 0; i < wide_.size(); ++i) {
+    const double t_min = std::max(wide_[i].t_min, 0.0);  // it looks no farther back
     const auto found = triangle_crossings(FramedRay(wide_[i]), vertices, mesh_.triangles());
     std::vector<std::pair<double, std::uint32_t>> flat, expected;
     for (const TriangleCrossing& crossing : found) {
-      if (!(crossing.t > wide_[i].t_min && crossing.t <= wide_[i].t_max)) continue;
+      if (!(crossing.t > t_min && crossing.t <= wide_[i].t_max)) continue;
       for (const std::uint32_t id : crossing.triangles) flat.emplace_back(crossing.t, id);
     }
-    for (const TrueCrossing& one : truths_[i]) expected.emplace_back(one.t, one.id);
+    for (const TrueCrossing& one : truths_[i]) {
+      if (one.t > t_min) expected.emplace_back(one.t, one.id);
+    }
     tally.decide(flat == expected, [&] {
       return example(i, [&] {
         return flat.empty() ? "none"
