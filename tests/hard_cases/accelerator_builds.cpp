@@ -1,15 +1,12 @@
 /// What structures are built of: bounds that round, primitives that are all the same, polygons on planes.
 
-#include <boost/multiprecision/cpp_int.hpp>
-
 #include "sightline/render/solid_tracer.h"
 #include "tests/csg/evaluate.h"
 #include "tests/hard_cases/accelerator_parts.h"
+#include "tests/hard_cases/exact_side.h"
 
 namespace sightline::hard {
 namespace {
-
-using Rational = boost::multiprecision::cpp_rational;
 
 // ---- bih-clip-round
 
@@ -137,18 +134,6 @@ void run_same_centroid(Trial& trial) {
 
 // ---- bsp-on-plane
 
-/// The side of p of the plane through a triangle's corners, exactly.
-int side_of(const Triangle& triangle, const Vec3f& p) {
-  const auto exactly = [](const Vec3f& v, const Vec3f& from) {
-    return std::array<Rational, 3>{Rational(v.x) - Rational(from.x), Rational(v.y) - Rational(from.y),
-                                   Rational(v.z) - Rational(from.z)};
-  };
-  const auto u = exactly(triangle.b, triangle.a), v = exactly(triangle.c, triangle.a), w = exactly(p, triangle.a);
-  const Rational volume =
-      (u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] + (u[0] * v[1] - u[1] * v[0]) * w[2];
-  return volume > 0 ? 1 : volume < 0 ? -1 : 0;
-}
-
 /// Pieces of slanted planes, tiles of them and the same a float's step beside: each plane is a splitter that others are
 /// on, or nearly.
 void run_on_plane(Trial& trial) {
@@ -179,7 +164,7 @@ void run_on_plane(Trial& trial) {
   for (const auto& [splitter, p] : questions) {
     const Vec3f n = glm::cross(splitter.b - splitter.a, splitter.c - splitter.a);
     const float d = glm::dot(n, p) - glm::dot(n, splitter.b);
-    const int found = d > 0 ? 1 : d < 0 ? -1 : 0, truth = side_of(splitter, p);
+    const int found = d > 0 ? 1 : d < 0 ? -1 : 0, truth = ExactPlane(splitter).side_of(Vec3d(p));
     naive.decide(found == truth, [&, corner = Vec3d(p)] {
       return Example{"corner " + text_of_point(corner), "side " + std::to_string(truth),
                      "side " + std::to_string(found)};
