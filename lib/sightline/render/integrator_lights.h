@@ -38,7 +38,7 @@ void Integrator<has>::shine(const Shade& shade, const AnyPath& path, const Color
     for (std::uint32_t k = 0; k < count; ++k) {
       glm::dvec2 place(0.5);
       if (is_area) place = sampler(path.slot).square(Draw::light, path.depth, i << 8 | k);
-      const LampLight from = light_of(lamp, shade.at.point, place);
+      const LampLight from = light_of(lamp, shade.at.point, place, shade.at.error);
       const double cosine = glm::dot(shade.normal, from.to_lamp);
       if (!(cosine > 0) || (shade.is_bent && !(glm::dot(shade.side, from.to_lamp) > 0))) continue;
       ++counters_[Effect::direct_light];
