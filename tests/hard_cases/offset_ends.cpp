@@ -33,7 +33,7 @@ struct Gap {
   Ray<float> ray(Random& random) const {
     const Triangle floor = mesh[0];
     const Vec3d a(floor.a), middle = (a + Vec3d(floor.b) + Vec3d(floor.c)) / 3.0,
-                    target = middle + 0.2 * random.uniform_double() * (a - middle);
+                            target = middle + 0.2 * random.uniform_double() * (a - middle);
     return ray_between(target + 0.5e-4 * scale * (normal + 0.3 * point_in_cube(random)), target);
   }
   bool is_within(const Vec3d& p) const {
@@ -157,18 +157,20 @@ void run_shadow_end(Trial& trial) {
     for (int k = 0; k < 6; ++k) {
       Vec3d from(0);
       from[axis] = 0.5 * (double(floor) + double(ceiling));
-      from[(axis + 1) % 3] = scale * (2 * random.uniform_double() - 1), from[(axis + 2) % 3] = scale * random.uniform_double();
+      from[(axis + 1) % 3] = scale * (2 * random.uniform_double() - 1),
+                        from[(axis + 2) % 3] = scale * random.uniform_double();
       Vec3d down = 0.3 * point_in_cube(random);
       down[axis] = -1;
       const Ray<double> ray{from, down};
       const WorldHit hit = shape.hit(ray);
       const SurfacePoint at = shape.locate(ray, hit);
       const double x = random.uniform_double(), y = random.uniform_double();
-      const LampLight light = light_of(lamp, at.point, {x, y});
+      const LampLight light = light_of(lamp, at.point, {x, y}, at.error);
       const bool is_dark = shape.is_shadowed({origin_of_next(at, ray), light.to_lamp, 0, light.distance});
       const auto example = [&] {
-        return Example{"scale " + text_of_number(scale) + ", floor at " + text_of_number(double(floor)) + ", ceiling and lamp at " +
-                           text_of_number(double(ceiling)) + ", from " + text_of_point(at.point),
+        return Example{"scale " + text_of_number(scale) + ", floor at " + text_of_number(double(floor)) +
+                           ", ceiling and lamp at " + text_of_number(double(ceiling)) + ", from " +
+                           text_of_point(at.point),
                        "light", "shadow"};
       };
       trial.of("renderer, area lamp").decide(!is_dark, example);
@@ -197,27 +199,29 @@ Sketch draw_shadow_end() {
 }  // namespace
 
 HardCase offset_leak() {
-  return {.id = "off-leak",
-          .group = "offset",
-          .inputs = "floors with a ceiling 1e-4 of the scale above, scales 1e-4 to 1e7; rays that leave the floor",
-          .expected = "they begin between both, exactly, and meet the ceiling",
-          .why =
-              "An offset that is large enough for one scene is too large for another: it moves the ray through the next "
-              "wall. Steps in the last places leak as well near the world's origin, where they have to be a fixed length.",
-          .oracle = Oracle::rationals,
-          .reference = "Waechter and Binder, Ray Tracing Gems ch. 6, 2019",
-          .run = run_leak,
-          .draw = draw_leak};
+  return {
+      .id = "off-leak",
+      .group = "offset",
+      .inputs = "floors with a ceiling 1e-4 of the scale above, scales 1e-4 to 1e7; rays that leave the floor",
+      .expected = "they begin between both, exactly, and meet the ceiling",
+      .why =
+          "An offset that is large enough for one scene is too large for another: it moves the ray through the next "
+          "wall. Steps in the last places leak as well near the world's origin, where they have to be a fixed length.",
+      .oracle = Oracle::rationals,
+      .reference = "Waechter and Binder, Ray Tracing Gems ch. 6, 2019",
+      .run = run_leak,
+      .draw = draw_leak};
 }
 HardCase offset_absorbed() {
-  return {.id = "off-absorbed",
-          .group = "offset",
-          .inputs = "planes at 2^k across each axis, k = 11 ... 23, hit from above",
-          .expected = "the ray that leaves begins above the plane",
-          .why = "2048 + 1e-4 is 2048 in float, as floats are 2.4e-4 apart there: the offset is added and does nothing.",
-          .oracle = Oracle::closed_form,
-          .run = run_absorbed,
-          .draw = draw_absorbed};
+  return {
+      .id = "off-absorbed",
+      .group = "offset",
+      .inputs = "planes at 2^k across each axis, k = 11 ... 23, hit from above",
+      .expected = "the ray that leaves begins above the plane",
+      .why = "2048 + 1e-4 is 2048 in float, as floats are 2.4e-4 apart there: the offset is added and does nothing.",
+      .oracle = Oracle::closed_form,
+      .run = run_absorbed,
+      .draw = draw_absorbed};
 }
 HardCase offset_shadow_end() {
   return {.id = "off-shadow-end",

@@ -43,8 +43,8 @@ void judge_mesh(Trial& trial, Random& random, const TriangleMesh& mesh, const On
     if (plane.side_towards(direction) != side) direction = -direction;
     const WorldHit again = shape.hit({origin, direction});
     trial.of("renderer, mesh").decide(!again.is_hit(), [&] {
-      return side_example(ray, scale, "meets triangle " + std::to_string(again.prim_id) + " again at " +
-                                          text_of_number(again.t));
+      return side_example(ray, scale,
+                          "meets triangle " + std::to_string(again.prim_id) + " again at " + text_of_number(again.t));
     });
   }
 }
@@ -82,14 +82,16 @@ void judge_solids(Trial& trial, Random& random, double scale) {
     const auto judge = [&](std::string_view who, const SolidTree& tree, auto&& is_outside) {
       const OneShape shape(tree, level);
       const WorldHit hit = shape.hit(aimed);
-      if (!hit.is_hit()) return trial.of(who, level).decide(false, [&] { return side_example(aimed, scale, "a miss"); });
+      if (!hit.is_hit())
+        return trial.of(who, level).decide(false, [&] { return side_example(aimed, scale, "a miss"); });
       const SurfacePoint at = shape.locate(aimed, hit);
       const Vec3d origin = origin_of_next(at, aimed);
       Vec3d direction = point_in_cube(random);
       if (glm::dot(direction, at.outside) < 0) direction = -direction;
       const WorldHit again = shape.hit({origin, direction});
       trial.of(who, level).decide(is_outside(origin) && !again.is_hit(), [&] {
-        return side_example(aimed, scale, is_outside(origin) ? "meets it again at " + text_of_number(again.t) : "within");
+        return side_example(aimed, scale,
+                            is_outside(origin) ? "meets it again at " + text_of_number(again.t) : "within");
       });
     };
     judge("renderer, sphere", SolidTree(solid::Sphere{center, radius}), [&](const Vec3d& p) {
@@ -111,9 +113,8 @@ void judge_naive(Tally& tally, const TriangleMesh& mesh, const Tracer& tracer, c
   if (!hit.is_hit()) return;
   const ExactPlane plane(mesh[hit.prim_id]);
   const Vec3f origin = move(ray.at(hit.t), float_normal(mesh[hit.prim_id], ray));
-  tally.decide(plane.side_of(Vec3d(origin)) == -plane.side_towards(Vec3d(ray.direction)), [&] {
-    return side_example(to_double(ray), scale, "on it, or on the other side");
-  });
+  tally.decide(plane.side_of(Vec3d(origin)) == -plane.side_towards(Vec3d(ray.direction)),
+               [&] { return side_example(to_double(ray), scale, "on it, or on the other side"); });
 }
 
 template <class Move>
@@ -155,7 +156,8 @@ Sketch draw_side(std::string caption, std::string naive) {
       .label({0.3, 1}, "4 error off: surely above, and no farther");
 }
 Sketch draw_none() {
-  return draw_side("A hit, and the ball in which rounding may have put it, enlarged.", "o + t d: below, one time of two");
+  return draw_side("A hit, and the ball in which rounding may have put it, enlarged.",
+                   "o + t d: below, one time of two");
 }
 Sketch draw_fixed() {
   return draw_side("The same at scale 1e4, where floats are 1e-3 apart.", "+ 1e-4 n: rounded away again");
@@ -176,16 +178,17 @@ HardCase offset_none() {
           .draw = draw_none};
 }
 HardCase offset_fixed() {
-  return {.id = "off-fixed",
-          .group = "offset",
-          .inputs = "the same; naive code moves origins by 1e-4 along the normal, at scales of 1e4 and more",
-          .expected = "they begin on the side that the ray came from, exactly, and do not meet the surface again",
-          .why =
-              "A fixed length is right for one scale. Where floats are farther apart than it, the sum is rounded back, and "
-              "it is as if nothing had been added.",
-          .oracle = Oracle::rationals,
-          .run = run_fixed,
-          .draw = draw_fixed};
+  return {
+      .id = "off-fixed",
+      .group = "offset",
+      .inputs = "the same; naive code moves origins by 1e-4 along the normal, at scales of 1e4 and more",
+      .expected = "they begin on the side that the ray came from, exactly, and do not meet the surface again",
+      .why =
+          "A fixed length is right for one scale. Where floats are farther apart than it, the sum is rounded back, and "
+          "it is as if nothing had been added.",
+      .oracle = Oracle::rationals,
+      .run = run_fixed,
+      .draw = draw_fixed};
 }
 
 }  // namespace sightline::hard
