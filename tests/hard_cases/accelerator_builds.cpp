@@ -94,7 +94,7 @@ TriangleMesh around_one_center(std::uint64_t count, bool is_equal) {
 
 void run_same_centroid(Trial& trial) {
   for (const bool is_equal : {true, false}) {
-    const std::uint64_t count = is_equal ? trial.count(100'000) : trial.count(2000);
+    const std::uint64_t count = is_equal ? trial.count(100'000) : trial.count(1000);
     const TracedMesh traced(around_one_center(count, is_equal));
     const Ray<float> ray{{0.125f, -0.25f, -3e5f}, {0, 0, 1}};
     const Ray<double> wide = to_double(ray);
@@ -223,7 +223,7 @@ HardCase build_same_centroid() {
   return {
       .id = "build-same-centroid",
       .group = "accelerator",
-      .inputs = "100,000 equal triangles; 2000 triangles of all sizes around one center",
+      .inputs = "100,000 equal triangles; 1000 triangles of all sizes around one center",
       .expected = "building ends, each triangle is found, and of equally near ones the lowest id",
       .why =
           "Where all centers are one, every plane leaves all primitives on one side. A recursion that waits for small "

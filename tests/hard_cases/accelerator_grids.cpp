@@ -57,7 +57,7 @@ void run_drift(Trial& trial) {
   std::vector<Vec3f> positions;
   std::vector<TriangleMesh::Corners> triangles;
   std::vector<Vec3d> centers;
-  const auto count = static_cast<std::uint32_t>(trial.count(3000));
+  const auto count = static_cast<std::uint32_t>(trial.count(2000));
   for (std::uint32_t i = 0; i < count; ++i) {
     const double x = 32.0 * (i + 1);
     const Vec3d at(x, x / 3 + 40 * random.uniform_double(), x / 7 + 40 * random.uniform_double());
@@ -67,7 +67,7 @@ void run_drift(Trial& trial) {
     triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
   std::vector<Ray<float>> rays;
-  for (std::uint64_t i = 0; i < trial.count(500); ++i) {
+  for (std::uint64_t i = 0; i < trial.count(250); ++i) {
     const Vec3d target = centers[random.below(count)] + Vec3d(0, random.uniform_double() - 0.5, 0);
     rays.push_back({Vec3f(0), Vec3f(target)});
     rays.push_back({Vec3f(target - Vec3d(0.5, 0, 0)), Vec3f(-target)});
@@ -239,7 +239,7 @@ HardCase grid_drift() {
   return {
       .id = "grid-drift",
       .group = "accelerator",
-      .inputs = "a row of 3000 small triangles 96,000 long, rays along it at each; slanted walks of 100,000 columns",
+      .inputs = "a row of 2000 small triangles 64,000 long, rays along it at each; slanted walks of 100,000 columns",
       .expected = "the triangle aimed at; the row that real arithmetic says",
       .why =
           "Each `next += delta` rounds at the size of the sum. All errors of one binade have the same sign, and after "

@@ -57,7 +57,7 @@ void run_fan_pole(Trial& trial) {
   for (const Vec3d& tip : {Vec3d(0), Vec3d(0.3, -7.1, 2.9)}) {
     const TracedMesh traced(fan(tip));
     std::vector<Ray<float>> rays;
-    for (std::uint64_t i = 0; i < trial.count(400); ++i) {
+    for (std::uint64_t i = 0; i < trial.count(250); ++i) {
       const Vec3d away = point_in_cube(random);
       rays.push_back(ray_between(tip + Vec3d(away.x, away.y, 2 + away.z), Vec3d(Vec3f(tip))));
     }
@@ -203,7 +203,7 @@ HardCase triangle_embree_far() {
 HardCase triangle_fan_pole() {
   return {.id = "tri-fan-pole",
           .group = "triangle",
-          .inputs = "fans of 16 triangles, rim rounded to float, 800 rays of float at the tip",
+          .inputs = "fans of 16 triangles, rim rounded to float, 500 rays of float at the tip",
           .expected = "at least one of the 16, and just those that real arithmetic says",
           .why =
               "The tip of a fan is where most edges meet, and the thinnest corners: 16 tests that must be of one mind. "

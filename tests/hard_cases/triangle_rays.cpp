@@ -153,7 +153,7 @@ Sketch draw_parity() {
 /// float. So t = 0 is a crossing in truth, and excluded.
 void run_origin_on(Trial& trial) {
   Random random(73);
-  for (std::uint64_t round = 0; round < trial.count(12); ++round) {
+  for (std::uint64_t round = 0; round < trial.count(8); ++round) {
     std::vector<Vec3f> positions;
     std::vector<TriangleMesh::Corners> triangles;
     std::vector<Ray<float>> rays;
@@ -218,7 +218,7 @@ HardCase triangle_origin_on() {
   return {
       .id = "tri-origin-on",
       .group = "triangle",
-      .inputs = "40 triangles of whole numbers to 2^19, rays that begin at (2a + b + c) / 4 and at a, 12 times",
+      .inputs = "40 triangles of whole numbers to 2^19, rays that begin at (2a + b + c) / 4 and at a, 8 times",
       .expected = "the triangle at t = 0 is not hit, the next behind it is",
       .why =
           "The height of the origin over the plane is 0, a difference of products that do not fit their format: what "

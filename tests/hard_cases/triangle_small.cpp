@@ -46,7 +46,7 @@ void run_absolute_epsilon(Trial& trial) {
 void run_underflow(Trial& trial) {
   for (const float size : {1e-12f, 1e-18f}) {
     Targets targets;
-    add_row(targets, size, trial.count(100));
+    add_row(targets, size, trial.count(50));
     targets.ask(trial, "no hit where |cross|^2 = 0 in float", area_checked);
   }
 }
