@@ -27,6 +27,10 @@ constexpr double height_error = 8;
 /// Of a product of three differences, summed over three axes: at most 8 u of the sum of sizes.
 constexpr double volume_error = 16 * unit_roundoff;
 
+/// Lines that rise over the triangle by less than that are left to expansions: of others t is off by less than 2^-39 m,
+/// half for the height's error and half for that of the slope, 8 u in 2^-10 each.
+constexpr double least_slope = 0x1p-10;
+
 /// t by the triangle's normal, from its corner a relative to the origin: errors are small beside the triangle's size
 /// and not beside its distance, so this tells on which side of its plane an origin near it is. False where it does not.
 bool parameter_by_normal(const Triangle& triangle, const Vec3d& a, const Vec3d& direction, double& t) {
@@ -37,7 +41,7 @@ bool parameter_by_normal(const Triangle& triangle, const Vec3d& a, const Vec3d& 
   const double height = glm::dot(a, normal), slope = glm::dot(direction, normal);
   t = height / slope;
   return std::fabs(height) > volume_error * glm::dot(glm::abs(a), size) &&
-         std::fabs(slope) > volume_error * glm::dot(glm::abs(direction), size);
+         std::fabs(slope) > least_slope * max_norm(direction) * (size.x + size.y + size.z);
 }
 
 struct ExactVector {
