@@ -188,7 +188,7 @@ Sketch draw_drift() {
       .line({0, 0.2}, {8, 3.7}, Role::ray)
       .path({{0, 0.2}, {1, 0.62}, {2, 1.04}, {3, 1.46}, {4, 1.88}, {5, 2.3}, {6, 2.72}, {7, 3.14}, {8, 3.56}},
             Role::naive)
-      .label({0.2, 4.2}, "after 100,000 steps: hundreds of cells off", Role::naive);
+      .label({0.2, 4.2}, "after 100,000 steps: tens of cells off", Role::naive);
 }
 Sketch draw_index() {
   return cells("A point one float before the far face, in a grid of four cells.", 4, 1)
