@@ -212,6 +212,27 @@ TEST(ClosedForms, AreaLightHasItsFormFactor) {
   EXPECT_GT(picture.counters[Effect::soft_shadow], 0u);
 }
 
+/// A ceiling does not shadow the lamp that is in its very plane, be it a solid or a mesh.
+TEST(ClosedForms, LampsShineFromCeilings) {
+  constexpr float h = 2.3f;
+  const auto light_at_middle = [](const std::optional<std::variant<MeshGeometry, SolidTree>>& ceiling) {
+    Scene scene;
+    const std::uint32_t white = add_material(scene, lambert(1));
+    add_shape(scene, "floor", SolidTree(solid::Box{Vec3d(-9, -9, -1), Vec3d(9, 9, 0)}), white);
+    if (ceiling) add_shape(scene, "ceiling", *ceiling, white);
+    add_light(scene, AreaLight{1, 2}, 3, Transform::translation({0.1, 0, h}));
+    add_light(scene, SpotLight{}, 3, Transform::translation({0.7, 0.3, h}));
+    add_camera(scene, 1, 0x1p-10);
+    return render(scene, small(1, 1, 64)).mean(0).x;
+  };
+  const double open = light_at_middle(std::nullopt);
+  EXPECT_GT(open, 0.1);
+  EXPECT_EQ(light_at_middle(SolidTree(solid::Box{{-9, -9, h}, {9, 9, h + 1.0}})), open);
+  const std::vector<Vec3f> corners{{-9, -9, h}, {9, -9, h}, {0, 9, h}};
+  const std::vector<TriangleMesh::Corners> triangles{{0, 1, 2}};
+  EXPECT_EQ(light_at_middle(MeshGeometry{std::make_shared<const TriangleMesh>(corners, triangles), {}, {}}), open);
+}
+
 /// Half of a lamp that a wall hides gives half the light on the axis.
 TEST(ClosedForms, HalfHiddenLampGivesHalf) {
   const auto light_at_middle = [](bool has_wall, double shadow_error) {

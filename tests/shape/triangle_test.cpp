@@ -181,6 +181,28 @@ TEST(Triangle, WithoutAreaIsMissed) {
   EXPECT_EQ(hits, 0);
 }
 
+/// Corners are whole numbers, and the origin is (2a + b + c) / 4: the ray begins on the triangle, or a step beside it.
+TEST(Triangle, IsNotMetAgainByARayThatBeginsOnIt) {
+  Random random(7);
+  const auto point = [&] {
+    const auto x = random.below(1 << 18), y = random.below(1 << 18), z = random.below(1 << 18);
+    return 4.0f * Vec3f(float(x), float(y), float(z));
+  };
+  for (int i = 0; i < 5000; ++i) {
+    const Triangle triangle{point(), point(), point()};
+    Vec3d origin = (2.0 * Vec3d(triangle.a) + Vec3d(triangle.b) + Vec3d(triangle.c)) / 4.0;
+    if (i % 2) origin.x = std::nextafter(origin.x, i % 4 == 1 ? 0 : INFINITY);
+    const Ray<double> ray{origin, Vec3d(random_point(random, 1))};
+    const auto expected = exact_crossing(ray, triangle);
+    Crossing crossing{};
+    const bool is_found = TriangleRay(ray, bounds_of(triangle)).intersect(triangle, crossing);
+    ASSERT_EQ(is_found, expected.has_value()) << i;
+    if (!is_found) continue;
+    ASSERT_EQ(crossing.t > 0, *expected > 0) << i;
+    ASSERT_EQ(crossing.t < 0, *expected < 0) << i;
+  }
+}
+
 /// A closed octahedron, looked at from inside, is never seen through, and never without both neighbours at an edge.
 TEST(Triangle, LeavesNoGapBetweenNeighbours) {
   const Vec3f tips[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};

@@ -38,7 +38,7 @@ void Integrator<has>::shine(const Shade& shade, const AnyPath& path, const Color
     for (const std::uint32_t last = asked.draw + asked.samples; asked.draw < last; ++asked.draw) {
       glm::dvec2 place(0.5);
       if (asked.is_area) place = sampler(path.slot).square(Draw::light, path.depth, asked.draw);
-      take_light(shade, path, diffuse, asked, light_of(lamp, shade.at.point, place));
+      take_light(shade, path, diffuse, asked, light_of(lamp, shade.at.point, place, shade.at.error));
     }
   }
 }

@@ -37,7 +37,11 @@ struct LampLight {
 
 /// `square` chooses a point of an area, uniformly; of no account otherwise. Its irradiance is that of the whole lamp as
 /// if all of it were there, so that means over the square are right.
-[[gnu::always_inline]] inline LampLight light_of(const Lamp& lamp, const Vec3d& point, const glm::dvec2& square) {
+///   What shines along an axis may be in the very plane of a ceiling: rays to it, which begin up to 4 `error` off the
+///   point, end before that plane. They end so far in front of the lamp that neither their beginning, nor rounding, nor
+///   a triangle's t, unless that is thin as well as large, goes beyond.
+[[gnu::always_inline]] inline LampLight light_of(const Lamp& lamp, const Vec3d& point, const glm::dvec2& square,
+                                                 double error = 0) {
   LampLight light;
   if (lamp.kind == Lamp::Kind::directional) {
     light.to_lamp = -lamp.axis;
@@ -46,6 +50,10 @@ struct LampLight {
   }
   Vec3d way = lamp.position - point;
   if (lamp.is_area()) way += (square.x - 0.5) * lamp.right + (square.y - 0.5) * lamp.up;
+  if (lamp.kind != Lamp::Kind::point) {
+    const double size = max_norm(lamp.position) + max_norm(lamp.right) + max_norm(lamp.up) + max_norm(point);
+    way += (8 * error + 0x1p-46 * size) * lamp.axis;
+  }
   const double distance2 = glm::dot(way, way);
   if (!(distance2 > 0)) return light;  // in the lamp itself nothing can be said
   light.distance = std::sqrt(distance2);
