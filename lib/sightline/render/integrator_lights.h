@@ -27,17 +27,15 @@ void Integrator<has>::shine(const Shade& shade, const AnyPath& path, const Color
   const SurfaceMaterial& material = shade.material;
   const bool is_glossy = has.has(Effect::glossy) && material.is_glossy;
   if (is_black(diffuse) && !is_glossy) return;
-  const std::vector<Lamp>& lamps = moment_->lamps;
-  std::uint32_t areas = 0;
-  for (std::uint32_t i = 0; i < lamps.size(); ++i) {
-    const Lamp& lamp = lamps[i];
+  std::uint32_t i = 0, areas = 0;
+  for (const Lamp& lamp : moment_->lamps) {
     const bool is_area = has.has(Effect::soft_shadow) && lamp.is_area();
-    const std::uint32_t area = areas;
+    const std::uint32_t number = i++, area = areas;
     areas += is_area;
     const std::uint32_t count = is_area ? scene_.light_samples : 1;
     for (std::uint32_t k = 0; k < count; ++k) {
       glm::dvec2 place(0.5);
-      if (is_area) place = sampler(path.slot).square(Draw::light, path.depth, i << 8 | k);
+      if (is_area) place = sampler(path.slot).square(Draw::light, path.depth, number << 8 | k);
       const LampLight from = light_of(lamp, shade.at.point, place);
       const double cosine = glm::dot(shade.normal, from.to_lamp);
       if (!(cosine > 0) || (shade.is_bent && !(glm::dot(shade.side, from.to_lamp) > 0))) continue;
@@ -50,7 +48,7 @@ void Integrator<has>::shine(const Shade& shade, const AnyPath& path, const Color
       if (is_area) light /= static_cast<float>(count);
       if (is_black(light)) continue;
       if (is_area) {
-        add_area_ray(shade, path, from, light, area, i << 8 | k);
+        add_area_ray(shade, path, from, light, area, number << 8 | k);
       } else {
         add_sight(to_point, shade, from.to_lamp, from.distance, light, path.slot);
       }

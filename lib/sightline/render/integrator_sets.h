@@ -6,10 +6,11 @@
 namespace sightline::detail {
 
 inline constexpr Effects textures{Effect::procedural_texture, Effect::image_texture, Effect::normal_map};
+inline constexpr Effects glows{Effect::emission, Effect::ambient};
 
 inline constexpr Effects plain{Effect::hard_shadow};
 inline constexpr Effects patterned{Effect::hard_shadow, Effect::procedural_texture};
-inline constexpr Effects textured = plain | textures;
+inline constexpr Effects textured = plain | textures | glows;
 inline constexpr Effects mirroring = textured | Effects{Effect::mirror};
 inline constexpr Effects soft = textured | Effects{Effect::soft_shadow};
 inline constexpr Effects whitted = mirroring | Effects{Effect::refraction, Effect::absorption};

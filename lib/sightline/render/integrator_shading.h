@@ -74,25 +74,29 @@ void Integrator<has>::shade(const Ray<double>& ray, AnyPath& path, std::size_t p
     }
   }
   if constexpr (has.has(Effect::fog)) in_fog(length, path, light);
-  bool may_shine = has.has(Effect::fog);
-  if (material.is_emitting) {
-    may_shine = true;
-    light += path.weight * material.values.emission;
-    ++counters_[Effect::emission];
+  if constexpr (has.has(Effect::emission)) {
+    if (material.is_emitting) {
+      light += path.weight * material.values.emission;
+      ++counters_[Effect::emission];
+    }
   }
   shade.color = color_at(shade, path, place);
   // A flat one faces the viewer, but edge-on.
   shade.is_bent = has.has(Effect::normal_map) || surfaces.is_smooth(hit) || !(std::fabs(shade.slant) > 0);
   shade.normal = shade.is_bent ? normal_at(shade, path) : shade.side;
 
-  Color diffuse = material.is_diffuse ? shade.color : Color(0);
+  // What is neither diffuse nor asks for a specular effect is black (MaterialTable::of).
+  Color diffuse = shade.color;
   if constexpr (is_specular) diffuse = share_out(shade, path);
-  if (scene_.effects.has(Effect::ambient) && !is_black(diffuse)) {
-    may_shine = true;
-    light += path.weight * diffuse * scene_.ambient.color;
-    ++counters_[Effect::ambient];
+  if constexpr (has.has(Effect::ambient)) {
+    if (scene_.effects.has(Effect::ambient) && !is_black(diffuse)) {
+      light += path.weight * diffuse * scene_.ambient.color;
+      ++counters_[Effect::ambient];
+    }
   }
-  if (may_shine && !is_black(light)) radiance_[path.slot] += Vec3d(light);
+  if constexpr (has.has(Effect::fog) || has.has(Effect::emission) || has.has(Effect::ambient)) {
+    if (!is_black(light)) radiance_[path.slot] += Vec3d(light);
+  }
   shine(shade, path, diffuse);
   if (!is_black(diffuse)) look_around(shade, path, diffuse);
   if constexpr (has.has(Effect::environment)) {
