@@ -55,7 +55,7 @@ struct LeakRow {
   };
   std::string structure;
   std::array<Count, leak_ways.size()> ways{};
-  double seconds = 0;      ///< Of queries and of making rays, of all threads together.
+  double seconds = 0;      ///< Of processors, for queries and for making rays.
   std::string first_leak;  ///< All that is needed to ask again.
 
   std::uint64_t rays() const;

@@ -22,7 +22,7 @@ std::string text_table(const LeakReport& report) {
       formatted("%zu closed meshes, %llu triangles, level %s, seed %llu, %d threads\n\n", report.meshes.size(),
                 static_cast<unsigned long long>(report.triangles), std::string(info_of(report.level).name).c_str(),
                 static_cast<unsigned long long>(report.seed), report.threads);
-  text += formatted("%-24s %14s %10s %24s\n", "structure", "rays", "leaks", "million rays/s, a thread");
+  text += formatted("%-24s %14s %10s %24s\n", "structure", "rays", "leaks", "million rays/s, a core");
   const auto row_text = [&](const std::string& name, std::uint64_t rays, std::uint64_t leaks) {
     return formatted("%-24s %14llu %10llu", name.c_str(), static_cast<unsigned long long>(rays),
                      static_cast<unsigned long long>(leaks));
@@ -52,7 +52,7 @@ nlohmann::json to_json(const LeakReport& report) {
     structures.push_back({{"structure", row.structure},
                           {"rays", row.rays()},
                           {"leaks", row.leaks()},
-                          {"rays_per_second_and_thread", speed_of(row)},
+                          {"rays_per_second_and_core", speed_of(row)},
                           {"ways", std::move(ways)}});
     if (!row.first_leak.empty()) structures.back()["first_leak"] = row.first_leak;
   }
