@@ -75,7 +75,15 @@ int order_of(const Root& a, const Root& b) {
 
 RootList certain_roots(const Torus& torus, const FramedRay& ray, Level level) {
   if (ray.frame()) return settled_roots(torus, ray, level);
-  if (level == Level::exact) return torus_roots(torus, ray.ray(), level);
+  if (level != Level::exact) {
+    const RootList list = rough_roots(torus, ray, level);
+    if (is_accurate(list, level)) return list;
+  }
+  return torus_roots(torus, ray.ray(), Level::exact);
+}
+
+RootList rough_roots(const Torus& torus, const FramedRay& ray, Level level) {
+  if (ray.frame()) return settled_roots(torus, ray, level);
   const RootList list = torus_roots(torus, ray.ray(), Level::precise);
   return list.is_certain ? list : exact_roots(torus, ray);
 }
