@@ -46,10 +46,10 @@ class LeakMesh {
 
   /// Sixteen rays to the triangles from a random one on, from one inside point or towards it. The same arguments give
   /// the same rays. Where vertices and inside points are on a lattice, rays go through points of edges and vertices
-  /// exactly.
+  /// exactly, unless they are to pass up to `beside` from those along each axis.
   static constexpr std::uint32_t group_size = 16;
   template <class T>
-  void rays(std::uint64_t seed, std::uint64_t group, Ray<T>* rays, Aim aim = Aim::both) const {
+  void rays(std::uint64_t seed, std::uint64_t group, Ray<T>* rays, Aim aim = Aim::both, double beside = 0) const {
     Random random(Random::hash(seed) + group);
     const Vec3d from = inside_[random.below(static_cast<std::uint32_t>(inside_.size()))];
     const bool goes_out = random.below(2) == 0;
@@ -58,7 +58,10 @@ class LeakMesh {
       const auto& corners = mesh_->triangles()[(first + i / 4) % mesh_->size()];
       const Vec3d a(mesh_->positions()[corners[i % 3]]), b(mesh_->positions()[corners[(i + 1) % 3]]);
       const bool is_vertex = aim == Aim::vertices || (aim == Aim::both && i % 4 == 3);
-      const Vec3d target = is_vertex ? a : a + share_of(random) * (b - a);
+      Vec3d target = is_vertex ? a : a + share_of(random) * (b - a);
+      if (beside > 0) {
+        for (int axis = 0; axis < 3; ++axis) target[axis] += beside * (2 * random.uniform_double() - 1);
+      }
       rays[i] = goes_out ? outward<T>(from, target) : inward<T>(from, target);
     }
   }
