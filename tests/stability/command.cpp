@@ -88,11 +88,20 @@ void check_uses(const Request& request) {
   }
 }
 
+/// Finds out before minutes of asking what cannot be written. Leaves nothing.
+void check_writable(const std::string& file) {
+  if (!file.empty()) const OutputFile probe(file);
+}
+
+std::string drawing_of(const HardCase& one, const Request& request) {
+  return request.out.empty() ? "out/stability/" + std::string(one.id) + ".svg" : request.out;
+}
+
 int explain(const Report& report, const Request& request, std::ostream& out) {
   const CaseReport& one = report.cases.front();
   const std::string id(one.hard_case->id);
   print_explanation(out, one, "./sightline stability --explain " + id + (request.is_quick ? " --quick" : ""));
-  const std::string file = request.out.empty() ? "out/stability/" + id + ".svg" : request.out;
+  const std::string file = drawing_of(*one.hard_case, request);
   write_text(file, svg_of(one.hard_case->draw()));
   out << "drawing     " << file << '\n' << std::flush;
   return keeps_promises(one) ? success : failure;
@@ -136,6 +145,9 @@ int run(std::span<const HardCase> cases, int argc, const char* const* argv, std:
     print_list(out, selected);
     return success;
   }
+  check_writable(request.json);
+  check_writable(request.has_html ? request.html : "");
+  check_writable(request.explain.empty() ? "" : drawing_of(*selected.front(), request));
   Progress progress;
   Report report = ask(selected, request.is_quick ? 0.1 : 1, progress);
   limit(report, limits);

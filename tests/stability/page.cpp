@@ -44,21 +44,19 @@ std::string definition(std::string_view term, std::string_view text) {
   return text.empty() ? "" : tag("dt", "", term) + tag("dd", "", escaped(text));
 }
 
-std::string answers_table(std::string_view title, std::span<const Answers> all) {
+std::string answers_table(std::string_view title, std::span<const Answers> all, bool has_levels) {
   std::string rows;
   for (const SameAnswers& group : same_answers(all)) {
     const Cell cell{group.verdict, group.wrong, group.asked};
     const auto words = [](std::string_view text) { return tag("td", "class=words", escaped(text)); };
-    rows += "<tr>" + tag("td", "", group.level ? info_of(*group.level).name : "always") + words(joined(group.who)) +
+    rows += "<tr>" + (has_levels ? tag("td", "", column_name(column_of(group.level))) : "") + words(joined(group.who)) +
             matrix_cell(cell) + tag("td", "", std::to_string(group.asked)) +
             tag("td", "", error_text(group.worst_error)) + words(group.example.inputs) + words(group.example.expected) +
             words(group.example.got) + "</tr>\n";
   }
-  return tag("h2", "", title) +
-         "<div class=scroll><table class=answers><thead><tr><th>level<th>who<th>verdict<th>asked<th>worst "
-         "error<th>inputs"
-         "<th>true<th>got</tr></thead><tbody>\n" +
-         rows + "</tbody></table></div>\n";
+  return tag("h2", "", title) + "<div class=scroll><table class=answers><thead><tr>" + (has_levels ? "<th>level" : "") +
+         "<th>who<th>verdict<th>asked<th>worst error<th>inputs<th>true<th>got</tr></thead><tbody>\n" + rows +
+         "</tbody></table></div>\n";
 }
 
 std::string detail_of(const CaseReport& report) {
@@ -71,8 +69,8 @@ std::string detail_of(const CaseReport& report) {
   const hard::Sketch sketch = own.draw();
   text +=
       "</dl>" + tag("figure", "", svg_of(sketch, false) + tag("figcaption", "", escaped(sketch.caption))) + "</div>\n";
-  text += answers_table("What the library answers", report.answers);
-  if (!report.naive.empty()) text += answers_table("What naive code answers", report.naive);
+  text += answers_table("What the library answers", report.answers, true);
+  if (!report.naive.empty()) text += answers_table("What naive code answers", report.naive, false);
   return text;
 }
 
@@ -115,7 +113,8 @@ std::string case_rows(const CaseReport& report) {
                      id + "</button></th>";
   for (std::size_t column = 0; column < column_count; ++column) text += matrix_cell(cell_of(report, column));
   text += tag("td", "class=plain", naive_text(report)) +
-          tag("td", "class=\"plain remarks\"", escaped(remarks_text(report)));
+          tag("td", report.error.empty() ? "class=\"plain remarks\"" : "class=\"wrong remarks\"",
+              escaped(remarks_text(report)));
   return text + "</tr>\n<tr class=detail id=\"" + id +
          "-detail\" hidden><td colspan=" + std::to_string(column_count + 3) + "><div class=case>" + detail_of(report) +
          "</div></td></tr>\n";

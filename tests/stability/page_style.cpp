@@ -39,7 +39,7 @@ th { font-weight: 600; }
 .matrix .group th { padding-top: 20px; font-size: 1.05rem; border-bottom: 1px solid var(--ink); }
 .row { cursor: pointer; }
 .row:hover > th, .row:hover > td.plain { background: var(--raised); }
-.row button { all: unset; cursor: pointer; color: var(--accent); overflow-wrap: anywhere; }
+.row button { all: unset; cursor: pointer; color: var(--accent); white-space: nowrap; }
 .row button::before { content: "▸"; display: inline-block; width: 1.1em; color: var(--soft); }
 .row button[aria-expanded=true]::before { content: "▾"; }
 .row button:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; border-radius: 3px; }
@@ -54,7 +54,8 @@ td small { display: block; font-weight: 400; line-height: 1.2; }
 .legend dt, .legend dd { margin: 0; }
 .sums { width: auto; margin: 10px 0; }
 .sums td, .sums th { padding: 3px 14px 3px 0; }
-.sums td { text-align: right; }
+.sums td, .sums thead th { text-align: right; }
+.sums thead th:first-child { text-align: left; }
 .detail > td { padding: 0 0 24px; }
 .case { padding: 6px 4px 0 18px; border-left: 3px solid var(--accent); }
 .told { display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 1fr); gap: 8px 28px; align-items: start; }
@@ -70,8 +71,8 @@ svg.sketch { width: 100%; height: auto; max-width: 560px; border: 1px solid var(
 .sketch .naive { color: var(--naive); } .sketch .aid { color: var(--soft); }
 .scroll { overflow-x: auto; }
 .answers { font-size: 0.86rem; }
-.answers td { overflow-wrap: anywhere; min-width: 5em; }
-.answers td.words { min-width: 9em; }
+.answers td.words { overflow-wrap: anywhere; min-width: 9em; }
+.answers td:not(.words), .answers th { white-space: nowrap; }
 footer { padding: 28px 20px 40px; }
 @media (max-width: 860px) {
   body { font-size: 15px; }
@@ -79,6 +80,7 @@ footer { padding: 28px 20px 40px; }
   .matrix-scroll { overflow-x: auto; }
   .matrix > thead th { position: static; }
   .matrix th, .matrix td { padding: 4px 6px; font-size: 0.84rem; }
+  .matrix th[scope=row] { position: sticky; left: 0; background: var(--paper); }
   .case { position: sticky; left: 0; width: calc(100vw - 28px); padding-left: 10px; }
   .told { grid-template-columns: minmax(0, 1fr); }
   .filters input { width: 100%; } .filters label:first-child { flex: 1 1 100%; }
@@ -136,7 +138,7 @@ document.getElementById('clear').addEventListener('click', () => {
 
 for (const row of rows) {
   row.addEventListener('click', () => {
-    if (String(getSelection())) return; // text is being marked
+    if (!getSelection().isCollapsed && getSelection().containsNode(row, true)) return; // text is being marked
     open_case(row, !is_open(row));
     if (is_open(row)) history.replaceState(null, '', '#' + row.id);
   });

@@ -72,9 +72,10 @@ void print_text(std::ostream& out, std::string_view title, std::string_view text
 
 void print_answers(std::ostream& out, std::span<const Answers> all) {
   for (const SameAnswers& group : same_answers(all)) {
-    std::string head = group.level ? std::string(info_of(*group.level).name) : "always";
-    head += ": " + cell_text(Cell{group.verdict, group.wrong, group.asked});
+    std::string head = group.level ? std::string(info_of(*group.level).name) + ": " : "";
+    head += cell_text(Cell{group.verdict, group.wrong, group.asked});
     if (group.verdict != Verdict::wrong) head += ", " + plural(group.asked, "question");
+    if (group.who.size() > 1) head += " each";
     if (group.worst_error != 0) head += ", relative error up to " + error_text(group.worst_error);
     out << gap << head << '\n';
     const auto line = [&](std::string_view title, std::string_view text) {

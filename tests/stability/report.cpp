@@ -145,19 +145,19 @@ std::vector<SameAnswers> same_answers(std::span<const Answers> answers) {
     const auto& told = one.tally.first_wrong() ? one.tally.first_wrong() : one.tally.first();
     const hard::Example example = told.value_or(hard::Example{});
     const auto is_same = [&](const SameAnswers& group) {
-      return group.level == one.level && group.verdict == one.tally.verdict() &&
-             group.example.inputs == example.inputs && group.example.expected == example.expected &&
-             group.example.got == example.got;
+      return group.level == one.level && group.verdict == one.tally.verdict() && group.asked == one.tally.asked() &&
+             group.wrong == one.tally.count(Verdict::wrong) && group.example.inputs == example.inputs &&
+             group.example.expected == example.expected && group.example.got == example.got;
     };
     auto group = std::ranges::find_if(groups, is_same);
     if (group == groups.end()) {
-      groups.push_back({one.level, one.tally.verdict(), {}, 0, 0, 0, example});
+      groups.push_back(
+          {one.level, one.tally.verdict(), {}, one.tally.count(Verdict::wrong), one.tally.asked(), 0, example});
       group = groups.end() - 1;
     }
     group->who.push_back(one.who);
-    group->wrong += one.tally.count(Verdict::wrong);
-    group->asked += one.tally.asked();
-    if (!(one.tally.worst_error() <= group->worst_error)) group->worst_error = one.tally.worst_error();
+    const double error = one.tally.worst_error();
+    if (!std::isnan(group->worst_error) && !(error <= group->worst_error)) group->worst_error = error;  // NaN stays
   }
   std::ranges::stable_sort(groups, {}, [](const SameAnswers& group) { return column_of(group.level); });
   return groups;

@@ -70,7 +70,8 @@ std::optional<double> naive_rate(const CaseReport& report);
 /// Those in a column with several whose verdict is not that of most; of as many, the better verdict is that of most.
 std::vector<const Answers*> dissenters(const CaseReport& report);
 
-/// Those at one level that gave the very same example, the first wrong one where there is one.
+/// Those at one level that were asked as much, were as often wrong, and gave the very same example: the first wrong one
+/// where there is one. Counts are of each.
 struct SameAnswers {
   std::optional<Level> level;
   Verdict verdict = Verdict::exact;

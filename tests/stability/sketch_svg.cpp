@@ -18,7 +18,7 @@ namespace {
 using glm::dvec2;
 using hard::Role, hard::Sketch;
 
-constexpr double frame_width = 560, margin = 40, least_height = 150, largest_height = 440;
+constexpr double frame_width = 480, margin = 40, least_height = 150, largest_height = 400;
 constexpr std::string_view paper = "#ffffff", ink = "#1c2230";
 
 template <class... Each>
