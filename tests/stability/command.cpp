@@ -29,7 +29,7 @@ Prints a line a case:
   –            the column does not apply; always is what has no levels
   naive        how often code as it is often written is wrong of the same questions
 and after the columns, whether the case is a policy (more than one answer is right, and ours is always the same), and
-which structures or routines disagree with the rest of the line.)";
+which structures or routines are worse than the rest of the line.)";
 
 constexpr const char* examples = R"(
 Examples

@@ -17,14 +17,23 @@ double overlap(const TextBox& a, const TextBox& b) {
   return x > 0 && y > 0 ? x * y : 0;
 }
 
+/// As few lines as `width` allows, and of these the narrowest.
+std::vector<std::string> balanced(std::string_view text, double width) {
+  const double per_character = text_width(text) / static_cast<double>(std::max<std::size_t>(1, width_of(text)));
+  std::size_t most = std::max<std::size_t>(1, static_cast<std::size_t>(width / per_character));
+  auto lines = wrapped(text, most);
+  for (auto narrower = lines; most > 1 && narrower.size() <= lines.size(); narrower = wrapped(text, --most)) {
+    lines = narrower;
+  }
+  return lines;
+}
+
 std::vector<std::string> lines_of(const std::string& text, double width) {
   if (text.find('\n') == std::string::npos && text_width(text) <= width) return {text};
-  const double per_character = text_width(text) / static_cast<double>(std::max<std::size_t>(1, width_of(text)));
   std::vector<std::string> lines;
   for (std::size_t start = 0; start <= text.size();) {
     const std::size_t end = std::min(text.find('\n', start), text.size());
-    const auto own = wrapped(std::string_view(text).substr(start, end - start),
-                             std::max<std::size_t>(1, static_cast<std::size_t>(width / per_character)));
+    const auto own = balanced(std::string_view(text).substr(start, end - start), width);
     lines.insert(lines.end(), own.begin(), own.end());
     start = end + 1;
   }
@@ -62,7 +71,7 @@ double LabelLayout::cost(const TextBox& box) const {
 PlacedLabel LabelLayout::place(const glm::dvec2& at, const std::string& text) {
   // Of all sides of the point, nearer ones and those beside it first; x and y: where the box lies, from -1 to 1.
   constexpr std::array<glm::dvec2, 8> sides{{{1, 0}, {-1, 0}, {0, -1}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}}};
-  PlacedLabel best{lines_of(text, 0.62 * frame_.x), {}, 0};
+  PlacedLabel best{lines_of(text, 0.66 * frame_.x), {}, 0};
   double width = 0, least = std::numeric_limits<double>::infinity();
   for (const std::string& line : best.lines) width = std::max(width, text_width(line));
   const glm::dvec2 size(std::min(width, frame_.x - 2 * border), label_leading * static_cast<double>(best.lines.size()));

@@ -25,17 +25,18 @@ std::string tag(std::string_view name, std::string_view attributes, std::string_
   return text.append(">").append(inside).append("</").append(name).append(">");
 }
 
-std::string_view class_of(const std::optional<Cell>& cell) {
-  if (!cell) return "none";
-  return cell->verdict == Verdict::exact ? "exact" : cell->verdict == Verdict::within_bound ? "bound" : "wrong";
+/// Of a cell. Being wrong where nothing is promised looks less loud.
+std::string_view class_of(Verdict verdict, std::size_t column) {
+  if (verdict == Verdict::wrong) return is_promised(column) ? "wrong" : "fast";
+  return verdict == Verdict::exact ? "exact" : "bound";
 }
 
-std::string matrix_cell(const std::optional<Cell>& cell) {
+std::string matrix_cell(const std::optional<Cell>& cell, std::size_t column) {
   std::string inside(cell ? verdict_text(cell->verdict) : "–");
   if (cell && cell->verdict == Verdict::wrong) {
     inside += "<small>" + std::to_string(cell->wrong) + "/" + std::to_string(cell->asked) + "</small>";
   }
-  return tag("td", "class=" + std::string(class_of(cell)), inside);
+  return tag("td", "class=" + std::string(cell ? class_of(cell->verdict, column) : "none"), inside);
 }
 
 // ---- Of one case
@@ -44,19 +45,42 @@ std::string definition(std::string_view term, std::string_view text) {
   return text.empty() ? "" : tag("dt", "", term) + tag("dd", "", escaped(text));
 }
 
-std::string answers_table(std::string_view title, std::span<const Answers> all, bool has_levels) {
-  std::string rows;
-  for (const SameAnswers& group : same_answers(all)) {
-    const Cell cell{group.verdict, group.wrong, group.asked};
-    const auto words = [](std::string_view text) { return tag("td", "class=words", escaped(text)); };
-    rows += "<tr>" + (has_levels ? tag("td", "", column_name(column_of(group.level))) : "") + words(joined(group.who)) +
-            matrix_cell(cell) + tag("td", "", std::to_string(group.asked)) +
-            tag("td", "", error_text(group.worst_error)) + words(group.example.inputs) + words(group.example.expected) +
-            words(group.example.got) + "</tr>\n";
+/// Who answered how, by levels where there are any.
+std::string answers_table(std::span<const Answers> all, bool has_levels) {
+  const std::vector<Line> lines = lines_of(all);
+  const auto is_used = [&](std::size_t column) {
+    return std::ranges::any_of(lines, [&](const Line& line) { return line.at[column] != nullptr; });
+  };
+  std::string text = "<div class=scroll><table class=answers><thead><tr><th>by", asked;
+  for (std::size_t column = 0; column < column_count; ++column) {
+    if (is_used(column)) text += tag("th", "", has_levels ? column_name(column) : "");
   }
-  return tag("h2", "", title) + "<div class=scroll><table class=answers><thead><tr>" + (has_levels ? "<th>level" : "") +
-         "<th>who<th>verdict<th>asked<th>worst error<th>inputs<th>true<th>got</tr></thead><tbody>\n" + rows +
-         "</tbody></table></div>\n";
+  text += "<th>questions</tr></thead><tbody>\n";
+  for (const Line& line : lines) {
+    text += "<tr>" + tag("th", "scope=row", escaped(line.who));
+    for (std::size_t column = 0; column < column_count; ++column) {
+      const Answers* own = line.at[column];
+      if (own) asked = std::to_string(own->tally.asked());
+      if (!is_used(column)) continue;
+      const std::string_view kind = own ? class_of(own->tally.verdict(), column) : "none";
+      text += tag("td", "class=" + std::string(kind), own ? answers_text(*own) : "–");
+    }
+    text += tag("td", "", asked) + "</tr>\n";
+  }
+  return text + "</tbody></table></div>\n";
+}
+
+std::string questions_list(std::span<const Answers> all) {
+  std::string text;
+  for (const Question& question : questions_of(all)) {
+    text += "<dl class=question>" + definition("for", question.inputs) + definition("true", question.expected);
+    for (const Question::Reply& reply : question.replies) {
+      text += tag("dt", reply.is_wrong ? "class=bad" : "", reply.is_wrong ? "WRONG" : "got") +
+              tag("dd", "", escaped(reply.got) + " <small>" + escaped(who_text(reply.by)) + "</small>");
+    }
+    text += "</dl>\n";
+  }
+  return text;
 }
 
 std::string detail_of(const CaseReport& report) {
@@ -69,9 +93,11 @@ std::string detail_of(const CaseReport& report) {
   const hard::Sketch sketch = own.draw();
   text +=
       "</dl>" + tag("figure", "", svg_of(sketch, false) + tag("figcaption", "", escaped(sketch.caption))) + "</div>\n";
-  text += answers_table("What the library answers", report.answers, true);
-  if (!report.naive.empty()) text += answers_table("What naive code answers", report.naive, false);
-  return text;
+  text +=
+      tag("h2", "", "What the library answers") + answers_table(report.answers, true) + questions_list(report.answers);
+  if (report.naive.empty()) return text;
+  return text + tag("h2", "", "What naive code answers") + answers_table(report.naive, false) +
+         questions_list(report.naive);
 }
 
 /// What the filter by verdicts goes by.
@@ -111,7 +137,7 @@ std::string case_rows(const CaseReport& report) {
                      marks_of(report) + "\" data-find=\"" + escaped(lower(find + remarks_text(report))) +
                      "\"><th scope=row><button type=button aria-expanded=false aria-controls=\"" + id + "-detail\">" +
                      id + "</button></th>";
-  for (std::size_t column = 0; column < column_count; ++column) text += matrix_cell(cell_of(report, column));
+  for (std::size_t column = 0; column < column_count; ++column) text += matrix_cell(cell_of(report, column), column);
   text += tag("td", "class=plain", naive_text(report)) +
           tag("td", report.error.empty() ? "class=\"plain remarks\"" : "class=\"wrong remarks\"",
               escaped(remarks_text(report)));
@@ -126,7 +152,8 @@ std::string legend() {
   return R"(<dl class=legend>
 <dt><span class="chip exact">exact</span><dd>the true decision, and every number the true one, rounded to nearest
 <dt><span class="chip bound">bound</span><dd>the true decision, and numbers as near the true ones as that level promises
-<dt><span class="chip wrong">WRONG</span><dd>anything else, with how many of how many; only <b>fast</b>, float throughout, may be
+<dt><span class="chip fast">WRONG</span><dd>anything else, with how many of how many, at <b>fast</b>: float throughout, promises nothing here
+<dt><span class="chip wrong">WRONG</span><dd>the same where something is promised: at every other level, and where there is none
 <dt>–<dd>the column does not apply; <b>always</b> is what has no levels
 <dt>naive<dd>how often code as it is often written is wrong of the same questions
 </dl>
@@ -152,7 +179,7 @@ std::string filters(const std::vector<std::string_view>& groups) {
          "</select></label><label>verdict<select id=verdict><option value=\"\">all</option>"
          "<option value=broken>WRONG where promised</option><option value=fast>WRONG at fast</option>"
          "<option value=bound>bound somewhere</option><option value=exact>exact everywhere</option>"
-         "<option value=dissent>structures disagree</option><option value=policy>policies</option></select></label>"
+         "<option value=dissent>some worse than most</option><option value=policy>policies</option></select></label>"
          "<button id=clear type=button>clear</button><span id=count aria-live=polite></span></form>\n";
 }
 

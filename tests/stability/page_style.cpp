@@ -6,11 +6,11 @@ namespace sightline::stability {
 const std::string_view page_style = R"(
 :root { color-scheme: light dark; --ink: #1c2230; --soft: #566073; --line: #d9dee7; --paper: #fff; --raised: #f4f6f9;
   --accent: #0d6a86; --exact: #dcebf8; --exact-ink: #0b3a5c; --bound: #fdf0c8; --bound-ink: #5a4100;
-  --wrong: #b83b00; --wrong-ink: #fff; --ray: #0072b2; --truth: #00795a; --naive: #c04a00; }
+  --wrong: #b83b00; --wrong-ink: #fff; --fast: #f7dccf; --fast-ink: #7a2500; --ray: #0072b2; --truth: #00795a; --naive: #c04a00; }
 @media (prefers-color-scheme: dark) {
   :root { --ink: #e6e9ef; --soft: #a3adbd; --line: #343b48; --paper: #14171d; --raised: #1d222b;
     --accent: #6cc3de; --exact: #173650; --exact-ink: #cfe6fa; --bound: #4a3a0c; --bound-ink: #ffe9a8;
-    --wrong: #ff8a4c; --wrong-ink: #1a0d05; --ray: #56b4e9; --truth: #3fc79f; --naive: #ff9a5c; }
+    --wrong: #ff8a4c; --wrong-ink: #1a0d05; --fast: #4b2717; --fast-ink: #ffcdb2; --ray: #56b4e9; --truth: #3fc79f; --naive: #ff9a5c; }
 }
 * { box-sizing: border-box; }
 body { margin: 0; color: var(--ink); background: var(--paper); font: 16px/1.5 system-ui, "Segoe UI", Roboto, sans-serif; }
@@ -46,6 +46,7 @@ th { font-weight: 600; }
 td.exact, .chip.exact { background: var(--exact); color: var(--exact-ink); }
 td.bound, .chip.bound { background: var(--bound); color: var(--bound-ink); }
 td.wrong, .chip.wrong { background: var(--wrong); color: var(--wrong-ink); font-weight: 700; }
+td.fast, .chip.fast { background: var(--fast); color: var(--fast-ink); font-weight: 600; }
 td.none { color: var(--soft); }
 td small { display: block; font-weight: 400; line-height: 1.2; }
 .remarks { max-width: 22em; font-size: 0.86rem; }
@@ -70,9 +71,13 @@ svg.sketch { width: 100%; height: auto; max-width: 560px; border: 1px solid var(
 .sketch .shape { color: var(--ink); } .sketch .ray { color: var(--ray); } .sketch .truth { color: var(--truth); }
 .sketch .naive { color: var(--naive); } .sketch .aid { color: var(--soft); }
 .scroll { overflow-x: auto; }
-.answers { font-size: 0.86rem; }
-.answers td.words { overflow-wrap: anywhere; min-width: 9em; }
-.answers td:not(.words), .answers th { white-space: nowrap; }
+.answers { font-size: 0.88rem; width: auto; }
+.answers td, .answers th { white-space: nowrap; }
+.question { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: 2px 14px; margin: 10px 0; font-size: 0.88rem; }
+.question dt { color: var(--soft); }
+.question dt.bad { color: var(--naive); font-weight: 700; }
+.question dd { margin: 0; overflow-wrap: anywhere; }
+.question small { color: var(--soft); margin-left: 0.8em; }
 footer { padding: 28px 20px 40px; }
 @media (max-width: 860px) {
   body { font-size: 15px; }
@@ -80,6 +85,7 @@ footer { padding: 28px 20px 40px; }
   .matrix-scroll { overflow-x: auto; }
   .matrix > thead th { position: static; }
   .matrix th, .matrix td { padding: 4px 6px; font-size: 0.84rem; }
+  .remarks { min-width: 14em; }
   .matrix th[scope=row] { position: sticky; left: 0; background: var(--paper); }
   .case { position: sticky; left: 0; width: calc(100vw - 28px); padding-left: 10px; }
   .told { grid-template-columns: minmax(0, 1fr); }
@@ -87,7 +93,7 @@ footer { padding: 28px 20px 40px; }
 }
 @media print {
   :root { color-scheme: light; --ink: #000; --soft: #444; --line: #bbb; --paper: #fff; --raised: #fff; --accent: #000;
-    --exact: #dcebf8; --exact-ink: #000; --bound: #fdf0c8; --bound-ink: #000; --wrong: #fff; --wrong-ink: #000;
+    --exact: #dcebf8; --exact-ink: #000; --bound: #fdf0c8; --bound-ink: #000; --wrong: #fff; --wrong-ink: #000; --fast: #f7dccf; --fast-ink: #000;
     --ray: #0072b2; --truth: #00795a; --naive: #c04a00; }
   body { font-size: 10pt; }
   .filters { display: none; }
@@ -95,9 +101,9 @@ footer { padding: 28px 20px 40px; }
   .matrix > thead th { position: static; }
   .matrix th, .matrix td { padding: 2px 6px; }
   td.wrong { outline: 2px solid #000; outline-offset: -2px; }
-  td.exact, td.bound { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+  td.exact, td.bound, td.fast { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   .row, figure { break-inside: avoid; }
-  .row button::before { content: ""; width: 0; }
+  .row button::before { display: none; }
 }
 )";
 

@@ -70,21 +70,38 @@ void print_text(std::ostream& out, std::string_view title, std::string_view text
   }
 }
 
-void print_answers(std::ostream& out, std::span<const Answers> all) {
-  for (const SameAnswers& group : same_answers(all)) {
-    std::string head = group.level ? std::string(info_of(*group.level).name) + ": " : "";
-    head += cell_text(Cell{group.verdict, group.wrong, group.asked});
-    if (group.verdict != Verdict::wrong) head += ", " + plural(group.asked, "question");
-    if (group.who.size() > 1) head += " each";
-    if (group.worst_error != 0) head += ", relative error up to " + error_text(group.worst_error);
-    out << gap << head << '\n';
-    const auto line = [&](std::string_view title, std::string_view text) {
-      print_text(out, std::string(gap) + std::string(gap) + std::string(title), text);
-    };
-    line("by", joined(group.who));
-    line("asked", group.example.inputs);
-    line("true", group.example.expected);
-    line("got", group.example.got);
+/// Who answered how, by levels where there are any, and then examples.
+void print_answers(std::ostream& out, std::span<const Answers> all, bool has_levels) {
+  const std::vector<Line> lines = lines_of(all);
+  const auto is_used = [&](std::size_t column) {
+    return std::ranges::any_of(lines, [&](const Line& line) { return line.at[column] != nullptr; });
+  };
+  Table table;
+  std::vector<std::string> headings{std::string(gap) + "by"};
+  for (std::size_t column = 0; column < column_count; ++column) {
+    if (is_used(column)) headings.emplace_back(has_levels ? column_name(column) : "");
+  }
+  headings.emplace_back("questions");
+  table.add(std::move(headings));
+  for (const Line& line : lines) {
+    std::vector<std::string> row{std::string(gap) + std::string(line.who)};
+    std::uint64_t asked = 0;
+    for (std::size_t column = 0; column < column_count; ++column) {
+      if (!is_used(column)) continue;
+      row.push_back(line.at[column] ? answers_text(*line.at[column]) : "–");
+      if (line.at[column]) asked = std::max(asked, line.at[column]->tally.asked());
+    }
+    row.push_back(std::to_string(asked));
+    table.add(std::move(row));
+  }
+  table.print(out);
+  for (const Question& question : questions_of(all)) {
+    out << '\n';
+    print_text(out, "  for", question.inputs);
+    print_text(out, "  true", question.expected);
+    for (const Question::Reply& reply : question.replies) {
+      print_text(out, reply.is_wrong ? "  WRONG" : "  got", reply.got + " (" + who_text(reply.by) + ")");
+    }
   }
 }
 
@@ -134,10 +151,10 @@ void print_explanation(std::ostream& out, const CaseReport& report, const std::s
   print_text(out, "reference", own.reference);
   if (!report.error.empty()) print_text(out, "FAILED", report.error);
   out << "\nanswers\n";
-  print_answers(out, report.answers);
+  print_answers(out, report.answers, true);
   if (!report.naive.empty()) {
     out << "\nnaive code\n";
-    print_answers(out, report.naive);
+    print_answers(out, report.naive, false);
   }
   out << '\n';
   print_text(out, "again", again);

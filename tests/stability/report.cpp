@@ -133,34 +133,41 @@ std::vector<const Answers*> dissenters(const CaseReport& report) {
     }
     const auto most = static_cast<Verdict>(std::ranges::max_element(votes) - votes.begin());
     for (const Answers& answers : report.answers) {
-      if (column_of(answers.level) == column && answers.tally.verdict() != most) found.push_back(&answers);
+      if (column_of(answers.level) == column && answers.tally.verdict() > most) found.push_back(&answers);
     }
   }
   return found;
 }
 
-std::vector<SameAnswers> same_answers(std::span<const Answers> answers) {
-  std::vector<SameAnswers> groups;
+std::vector<Line> lines_of(std::span<const Answers> answers) {
+  std::vector<Line> lines;
   for (const Answers& one : answers) {
-    const auto& told = one.tally.first_wrong() ? one.tally.first_wrong() : one.tally.first();
-    const hard::Example example = told.value_or(hard::Example{});
-    const auto is_same = [&](const SameAnswers& group) {
-      return group.level == one.level && group.verdict == one.tally.verdict() && group.asked == one.tally.asked() &&
-             group.wrong == one.tally.count(Verdict::wrong) && group.example.inputs == example.inputs &&
-             group.example.expected == example.expected && group.example.got == example.got;
-    };
-    auto group = std::ranges::find_if(groups, is_same);
-    if (group == groups.end()) {
-      groups.push_back(
-          {one.level, one.tally.verdict(), {}, one.tally.count(Verdict::wrong), one.tally.asked(), 0, example});
-      group = groups.end() - 1;
-    }
-    group->who.push_back(one.who);
-    const double error = one.tally.worst_error();
-    if (!std::isnan(group->worst_error) && !(error <= group->worst_error)) group->worst_error = error;  // NaN stays
+    auto line = std::ranges::find(lines, one.who, &Line::who);
+    if (line == lines.end()) line = lines.insert(lines.end(), Line{one.who, {}});
+    line->at[column_of(one.level)] = &one;
   }
-  std::ranges::stable_sort(groups, {}, [](const SameAnswers& group) { return column_of(group.level); });
-  return groups;
+  return lines;
+}
+
+std::vector<Question> questions_of(std::span<const Answers> answers) {
+  std::vector<Question> questions;
+  for (const Answers& one : answers) {
+    const bool is_wrong = one.tally.first_wrong().has_value();
+    const auto& example = is_wrong ? one.tally.first_wrong() : one.tally.first();
+    if (!example) continue;
+    auto question = std::ranges::find_if(questions, [&](const Question& each) {
+      return each.inputs == example->inputs && each.expected == example->expected;
+    });
+    if (question == questions.end()) {
+      question = questions.insert(questions.end(), Question{example->inputs, example->expected, {}});
+    }
+    auto& replies = question->replies;
+    auto reply = std::ranges::find_if(
+        replies, [&](const Question::Reply& each) { return each.got == example->got && each.is_wrong == is_wrong; });
+    if (reply == replies.end()) reply = replies.insert(replies.end(), {example->got, is_wrong, {}});
+    reply->by.push_back(&one);
+  }
+  return questions;
 }
 
 // ---- Sums

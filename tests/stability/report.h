@@ -67,20 +67,28 @@ bool keeps_promises(const Report& report);
 /// The largest share of wrong answers that naive code gave; nothing where there is no such code.
 std::optional<double> naive_rate(const CaseReport& report);
 
-/// Those in a column with several whose verdict is not that of most; of as many, the better verdict is that of most.
+/// Those whose verdict is worse than that of most in their column; of as many, the better verdict is that of most.
 std::vector<const Answers*> dissenters(const CaseReport& report);
 
-/// Those at one level that were asked as much, were as often wrong, and gave the very same example: the first wrong one
-/// where there is one. Counts are of each.
-struct SameAnswers {
-  std::optional<Level> level;
-  Verdict verdict = Verdict::exact;
-  std::vector<std::string_view> who;
-  std::uint64_t wrong = 0, asked = 0;
-  double worst_error = 0;
-  hard::Example example;
+/// The answers of one structure or routine, by columns; null where it was not asked.
+struct Line {
+  std::string_view who;
+  std::array<const Answers*, column_count> at = {};
 };
-std::vector<SameAnswers> same_answers(std::span<const Answers> answers);
+std::vector<Line> lines_of(std::span<const Answers> answers);
+
+/// One question that was kept as an example, and what was answered by whom.
+struct Question {
+  struct Reply {
+    std::string got;
+    bool is_wrong = false;
+    std::vector<const Answers*> by;
+  };
+  std::string inputs, expected;
+  std::vector<Reply> replies;
+};
+/// The example of each, the first wrong one where there is one; the same questions and replies stand once.
+std::vector<Question> questions_of(std::span<const Answers> answers);
 
 // ---- Sums
 

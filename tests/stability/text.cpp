@@ -55,6 +55,35 @@ std::string remarks_text(const CaseReport& report) {
 
 std::string error_text(double error) { return error == 0 ? "0" : digits(error, "%.2g"); }
 
+std::string answers_text(const Answers& answers) {
+  const hard::Tally& tally = answers.tally;
+  std::string text = cell_text(Cell{tally.verdict(), tally.count(Verdict::wrong), tally.asked()});
+  if (tally.verdict() == Verdict::within_bound && tally.worst_error() != 0)
+    text += ' ' + error_text(tally.worst_error());
+  return text;
+}
+
+std::string who_text(std::span<const Answers* const> by) {
+  using Words = std::vector<std::string_view>;
+  std::vector<std::pair<std::string_view, Words>> levels;  // of each
+  for (const Answers* one : by) {
+    auto own = std::ranges::find(levels, one->who, &std::pair<std::string_view, Words>::first);
+    if (own == levels.end()) own = levels.insert(levels.end(), {one->who, {}});
+    if (one->level) own->second.push_back(info_of(*one->level).name);
+  }
+  std::string text;
+  while (!levels.empty()) {
+    const Words at = levels.front().second;
+    Words who;
+    for (const auto& [name, own] : levels) {
+      if (own == at) who.push_back(name);
+    }
+    std::erase_if(levels, [&](const auto& one) { return one.second == at; });
+    text += (text.empty() ? "" : "; ") + joined(who) + (at.empty() ? "" : " at " + joined(at));
+  }
+  return text;
+}
+
 std::string_view oracle_text(hard::Oracle oracle) {
   switch (oracle) {
     case hard::Oracle::rationals:

@@ -19,10 +19,14 @@ std::string cell_text(const std::optional<Cell>& cell);
 std::string percent_text(double rate);
 /// "–" where there is no naive code.
 std::string naive_text(const CaseReport& report);
-/// What the columns do not say: that it is a policy, that it failed, who disagrees with the rest of the line.
+/// What the columns do not say: that it is a policy, that it failed, who is worse than the rest of the line.
 std::string remarks_text(const CaseReport& report);
 /// "1.2e-16", "0", "inf".
 std::string error_text(double error);
+/// "exact", "bound 1.9e-16", "WRONG 12/20000": of one structure or routine, with the worst relative error.
+std::string answers_text(const Answers& answers);
+/// "kd-tree, grid at fast, exact; normal at fast".
+std::string who_text(std::span<const Answers* const> by);
 std::string_view oracle_text(hard::Oracle oracle);
 /// Whether the default is wrong anywhere, in a sentence or two.
 std::string default_text(const Summary& summary);

@@ -74,7 +74,7 @@ TEST(Report, TellsOfNaiveCode) {
   EXPECT_EQ(naive_text(report.cases[1]), "–");
 }
 
-TEST(Report, NamesWhoDisagrees) {
+TEST(Report, NamesWhoIsWorseThanMost) {
   const Report report = report_of(bad_table());
   EXPECT_EQ(remarks_text(report.cases[0]), "");
   EXPECT_EQ(remarks_text(report.cases[1]), "");
@@ -85,29 +85,47 @@ TEST(Report, NamesWhoDisagrees) {
   add(pair.answers[0].tally, Verdict::within_bound, 1);
   add(pair.answers[1].tally, Verdict::exact, 1);
   EXPECT_EQ(remarks_text(pair), "policy; a fast: bound");
+  pair.answers.push_back({"c", Level::fast, {}});
+  add(pair.answers[2].tally, Verdict::within_bound, 1);
+  EXPECT_EQ(remarks_text(pair), "policy") << "most are within bounds, and one is better";
 }
 
-TEST(Report, PutsTheSameAnswersTogether) {
+TEST(Report, HasALineForEach) {
   const Report report = report_of(bad_table());
-  const auto groups = same_answers(report.cases[3].answers);
-  ASSERT_EQ(groups.size(), 2u);
-  EXPECT_EQ(groups[0].who, (std::vector<std::string_view>{"kd-tree", "bsp-tree"}));
-  EXPECT_EQ(groups[0].asked, 4u);
-  EXPECT_EQ(groups[1].who, (std::vector<std::string_view>{"grid"}));
-  EXPECT_EQ(groups[1].example.got, "nothing");
-  EXPECT_EQ(groups[1].wrong, 1u);
-  EXPECT_EQ(same_answers(report.cases[0].naive).size(), 2u);
+  const auto lines = lines_of(report.cases[0].answers);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].who, "kd-tree");
+  EXPECT_EQ(lines[1].at[fast]->who, "grid");
+  EXPECT_EQ(lines[1].at[fast]->level, Level::fast);
+  EXPECT_EQ(lines[1].at[always], nullptr);
 }
 
-TEST(Report, KeepsErrorsThatAreNoNumbers) {
-  std::vector<Answers> answers{{"a", Level::fast, {}}, {"b", Level::fast, {}}};
-  add(answers[0].tally, Verdict::exact, 1, std::numeric_limits<double>::quiet_NaN());
-  add(answers[1].tally, Verdict::exact, 1, 2);
-  const auto groups = same_answers(answers);
-  ASSERT_EQ(groups.size(), 1u);
-  EXPECT_TRUE(std::isnan(groups[0].worst_error));
-  add(answers[0].tally, Verdict::exact, 1, 3);
-  EXPECT_TRUE(std::isnan(answers[0].tally.worst_error()));
+TEST(Report, PutsTheSameQuestionsTogether) {
+  const Report report = report_of(bad_table());
+  const auto questions = questions_of(report.cases[3].answers);
+  ASSERT_EQ(questions.size(), 1u);
+  ASSERT_EQ(questions[0].replies.size(), 2u);
+  EXPECT_EQ(questions[0].replies[0].got, "t = 2");
+  EXPECT_FALSE(questions[0].replies[0].is_wrong);
+  EXPECT_EQ(who_text(questions[0].replies[0].by), "kd-tree, bsp-tree at watertight");
+  EXPECT_EQ(questions[0].replies[1].got, "nothing");
+  EXPECT_TRUE(questions[0].replies[1].is_wrong);
+  EXPECT_EQ(who_text(questions[0].replies[1].by), "grid at watertight");
+  const auto at_all = questions_of(report.cases[0].answers);
+  EXPECT_EQ(who_text(at_all[0].replies[0].by), "kd-tree, grid at fast, watertight, precise, exact");
+  EXPECT_EQ(who_text(questions_of(report.cases[2].answers)[0].replies[0].by), "all");
+  std::vector<Answers> others{{"a", Level::fast, {}}, {"b", Level::fast, {}}};
+  others[0].tally.decide(true, [] { return hard::Example{"x", "1", "1"}; });
+  others[1].tally.decide(true, [] { return hard::Example{"y", "1", "1"}; });
+  EXPECT_EQ(questions_of(others).size(), 2u);
+}
+
+TEST(Tally, KeepsAnErrorThatIsNoNumber) {
+  hard::Tally tally;
+  add(tally, Verdict::exact, 1, 2);
+  add(tally, Verdict::exact, 1, std::numeric_limits<double>::quiet_NaN());
+  add(tally, Verdict::exact, 1, 3);
+  EXPECT_TRUE(std::isnan(tally.worst_error()));
 }
 
 TEST(Report, IsLimited) {

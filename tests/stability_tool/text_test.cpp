@@ -53,6 +53,16 @@ TEST(Text, TellsOfErrors) {
   EXPECT_EQ(error_text(std::numeric_limits<double>::quiet_NaN()), "nan");
 }
 
+TEST(Text, TellsOfOneAnswerer) {
+  Answers one{"kd-tree", Level::fast, {}};
+  add(one.tally, Verdict::exact, 2);
+  EXPECT_EQ(answers_text(one), "exact");
+  add(one.tally, Verdict::within_bound, 1, 0x1p-53);
+  EXPECT_EQ(answers_text(one), "bound 1.1e-16");
+  add(one.tally, Verdict::wrong, 1, 7);
+  EXPECT_EQ(answers_text(one), "WRONG 1/4");
+}
+
 TEST(Text, TellsOfTheDefault) {
   Summary summary;
   EXPECT_EQ(default_text(summary), "The default, watertight, is asked nothing.");
