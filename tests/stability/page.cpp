@@ -62,7 +62,8 @@ std::string answers_table(std::span<const Answers> all, bool has_levels) {
       const Answers* own = line.at[column];
       if (own) asked = std::to_string(own->tally.asked());
       if (!is_used(column)) continue;
-      const std::string_view kind = own ? class_of(own->tally.verdict(), column) : "none";
+      const std::string_view kind =
+          own ? class_of(own->tally.verdict(), has_levels ? column : column_of(Level::fast)) : "none";
       text += tag("td", "class=" + std::string(kind), own ? answers_text(*own) : "–");
     }
     text += tag("td", "", asked) + "</tr>\n";

@@ -73,11 +73,11 @@ svg.sketch { width: 100%; height: auto; max-width: 560px; border: 1px solid var(
 .scroll { overflow-x: auto; }
 .answers { font-size: 0.88rem; width: auto; }
 .answers td, .answers th { white-space: nowrap; }
-.question { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: 2px 14px; margin: 10px 0; font-size: 0.88rem; }
+.question { display: grid; grid-template-columns: 4em minmax(0, 1fr); gap: 2px 14px; margin: 10px 0; font-size: 0.88rem; }
 .question dt { color: var(--soft); }
 .question dt.bad { color: var(--naive); font-weight: 700; }
 .question dd { margin: 0; overflow-wrap: anywhere; }
-.question small { color: var(--soft); margin-left: 0.8em; }
+.question small { display: inline; color: var(--soft); margin-left: 0.8em; }
 footer { padding: 28px 20px 40px; }
 @media (max-width: 860px) {
   body { font-size: 15px; }
