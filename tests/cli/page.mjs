@@ -124,6 +124,7 @@ if (!file || asked.length % 2 !== 0 || asked.some((name, i) => i % 2 === 0 && !(
   give_up(`usage: page.mjs FILE.html [${Object.keys(steps).join(' VALUE] [')} VALUE]`, 2);
 }
 if (!existsSync(file)) give_up(`${file}: expected a file, found nothing`);
+for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.on(signal, () => give_up(`ended by ${signal}`));
 setTimeout(() => give_up(`no answer within ${longest_wait / 1000} s`), longest_wait).unref();
 browser = new Browser(process.env.CHROMIUM ?? 'chromium');
 try {

@@ -62,7 +62,7 @@ CLI::Option* add_options(CLI::App& app, Request& request) {
   app.add_option("--explain", request.explain,
                  "All about one case: why it is hard, what was asked, answered and true, drawn")
       ->option_text("ID");
-  app.add_option("--out", request.out, "Where its drawing goes, an SVG; default out/stability/ID.svg")
+  app.add_option("--out", request.out, "Where its drawing goes, an SVG and nothing else; default out/stability/ID.svg")
       ->option_text("FILE.svg");
   app.add_option("--json", request.json, "Writes all that was found")->option_text("FILE");
   return app.add_option("--html", request.html, "Writes a page to explore it; default out/stability/index.html")
