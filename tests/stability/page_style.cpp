@@ -100,7 +100,7 @@ footer { padding: 28px 20px 40px; }
   header, main, footer { max-width: none; padding-left: 0; padding-right: 0; }
   .matrix > thead th { position: static; }
   .matrix th, .matrix td { padding: 2px 6px; }
-  td.wrong { outline: 2px solid #000; outline-offset: -2px; }
+  td.wrong, .chip.wrong { outline: 2px solid #000; outline-offset: -2px; }
   td.exact, td.bound, td.fast { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   .row, figure { break-inside: avoid; }
   .row button::before { display: none; }
