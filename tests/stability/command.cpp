@@ -37,6 +37,8 @@ Examples
   sightline-stability --case 'sph-*,tri-edge' --level watertight
   sightline-stability --explain sph-far
   sightline-stability --quick --html --json out/stability.json
+  sightline-stability --families --help
+  sightline-stability --leaks 10M
 
 Exit status: 0 all promises were kept, 1 WRONG stands at watertight, precise, exact or always, a case failed, or a file
 could not be written, 2 wrong usage.
