@@ -75,11 +75,7 @@ int order_of(const Root& a, const Root& b) {
 
 RootList certain_roots(const Torus& torus, const FramedRay& ray, Level level) {
   if (ray.frame()) return settled_roots(torus, ray, level);
-  if (level != Level::exact) {
-    const RootList list = rough_roots(torus, ray, level);
-    if (is_accurate(list, level)) return list;
-  }
-  return torus_roots(torus, ray.ray(), Level::exact);
+  return torus_roots(torus, ray.ray(), Level::exact);  // in less time than it takes to find out whether less would do
 }
 
 RootList rough_roots(const Torus& torus, const FramedRay& ray, Level level) {
