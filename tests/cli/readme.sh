@@ -29,6 +29,7 @@ for line in "${commands[@]}"; do
       words=("${words[@]/#data\//$root/data/}") ;;
     './sightline render ' | './sightline plan ') words=("${words[@]/#data\//$root/data/}") ;;
     './sightline probe ' | './sightline noise ') words=("${words[@]/#data\//$root/data/}") ;;
+    './sightline stability ') [[ $line == *--explain* ]] || words+=(--group build) ;;
     './sightline bench ') [[ $line == *--quick* ]] || words+=(--quick) ;;
   esac
   for word in "${words[@]:1}"; do

@@ -33,7 +33,7 @@ class Tally {
   template <std::invocable Describe>
   void add(Verdict verdict, double error, Describe&& describe) {
     ++counts_[static_cast<std::size_t>(verdict)];
-    if (!(error <= worst_)) worst_ = error;  // NaN stays
+    if (!std::isnan(worst_) && !(error <= worst_)) worst_ = error;  // NaN stays
     if (!first_) first_ = describe();
     if (verdict == Verdict::wrong && !first_wrong_) first_wrong_ = describe();
   }

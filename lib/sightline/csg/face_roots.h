@@ -102,7 +102,8 @@ template <Level level, class S>
 RootList quick_roots(const S& surface, const QuickRay<level>& quick, const Frame* frame, bool is_moderate) {
   if constexpr (std::is_same_v<S, solid::Torus>) {
     constexpr Level enough = level == Level::exact ? Level::precise : level;
-    return face_roots<enough>(surface, LocalRay<enough>(quick.ray(), frame));
+    if constexpr (level == Level::fast) return face_roots<level>(surface, LocalRay<level>(quick.ray(), frame));
+    return rough_roots(surface, FramedRay(quick.ray(), frame), enough);
   } else {
     using Number = typename QuickRay<level>::Number;
     if (is_moderate && quick.is_moderate()) [[likely]] {

@@ -75,7 +75,11 @@ int order_of(const Root& a, const Root& b) {
 
 RootList certain_roots(const Torus& torus, const FramedRay& ray, Level level) {
   if (ray.frame()) return settled_roots(torus, ray, level);
-  if (level == Level::exact) return torus_roots(torus, ray.ray(), level);
+  return torus_roots(torus, ray.ray(), Level::exact);  // in less time than it takes to find out whether less would do
+}
+
+RootList rough_roots(const Torus& torus, const FramedRay& ray, Level level) {
+  if (ray.frame()) return settled_roots(torus, ray, level);
   const RootList list = torus_roots(torus, ray.ray(), Level::precise);
   return list.is_certain ? list : exact_roots(torus, ray);
 }

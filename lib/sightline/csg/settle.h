@@ -31,8 +31,11 @@ RootList settled_roots(const Surface& surface, const FramedRay& ray, Level level
 /// One of them, by its place: the others may be known less well.
 Root settled_root(const Surface& surface, const FramedRay& ray, Level level, std::uint32_t index);
 
-/// All of a torus, from doubles on, at any level but fast.
+/// The same of a torus, from doubles on, at any level but fast.
 RootList certain_roots(const Torus& torus, const FramedRay& ray, Level level);
+
+/// As certain of number, order and multiplicities, but as for t only of its radius, which may be larger.
+RootList rough_roots(const Torus& torus, const FramedRay& ray, Level level);
 
 /// A root of a surface's polynomial along a ray, by its place among the distinct real ones.
 struct SurfaceRoot {
