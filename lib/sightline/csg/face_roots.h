@@ -26,7 +26,7 @@ class LocalRay : public FramedRay {
 template <Level level, class S>
 RootList face_roots(const S& surface, const LocalRay<level>& ray) {
   if constexpr (std::is_same_v<S, solid::Torus>) {
-    if (level != Level::fast) return certain_roots(surface, ray, level);
+    if (level != Level::fast) return accurate_roots(surface, ray, level);
     if (!ray.frame()) return torus_roots(surface, ray.ray(), level);
     const Line<double> line = ray.template in<double>();
     const auto vector = [](const std::array<double, 3>& v) { return Vec3d(v[0], v[1], v[2]); };
@@ -101,8 +101,8 @@ template <class N, class S>
 template <Level level, class S>
 RootList quick_roots(const S& surface, const QuickRay<level>& quick, const Frame* frame, bool is_moderate) {
   if constexpr (std::is_same_v<S, solid::Torus>) {
-    constexpr Level enough = level == Level::exact ? Level::precise : level;
-    return face_roots<enough>(surface, LocalRay<enough>(quick.ray(), frame));
+    if constexpr (level != Level::fast) return certain_roots(surface, FramedRay(quick.ray(), frame));
+    return face_roots<level>(surface, LocalRay<level>(quick.ray(), frame));
   } else {
     using Number = typename QuickRay<level>::Number;
     if (is_moderate && quick.is_moderate()) [[likely]] {

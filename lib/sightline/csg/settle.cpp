@@ -73,11 +73,19 @@ int order_of(const Root& a, const Root& b) {
 
 }  // namespace
 
-RootList certain_roots(const Torus& torus, const FramedRay& ray, Level level) {
-  if (ray.frame()) return settled_roots(torus, ray, level);
-  if (level == Level::exact) return torus_roots(torus, ray.ray(), level);
+RootList certain_roots(const Torus& torus, const FramedRay& ray) {
+  if (ray.frame()) return settled_roots(torus, ray, Level::watertight);
   const RootList list = torus_roots(torus, ray.ray(), Level::precise);
   return list.is_certain ? list : exact_roots(torus, ray);
+}
+
+RootList accurate_roots(const Torus& torus, const FramedRay& ray, Level level) {
+  if (ray.frame()) return settled_roots(torus, ray, level);
+  if (level != Level::exact) {
+    const RootList list = torus_roots(torus, ray.ray(), Level::precise);
+    if (is_accurate(list, level)) return list;
+  }
+  return torus_roots(torus, ray.ray(), Level::exact);
 }
 
 RootList settled_roots(const Surface& surface, const FramedRay& ray, Level level) {

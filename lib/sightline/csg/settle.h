@@ -31,8 +31,10 @@ RootList settled_roots(const Surface& surface, const FramedRay& ray, Level level
 /// One of them, by its place: the others may be known less well.
 Root settled_root(const Surface& surface, const FramedRay& ray, Level level, std::uint32_t index);
 
-/// All of a torus, from doubles on, at any level but fast.
-RootList certain_roots(const Torus& torus, const FramedRay& ray, Level level);
+/// All of a torus, from doubles on: certain of number, order and multiplicities, as for t only of its radius.
+RootList certain_roots(const Torus& torus, const FramedRay& ray);
+/// The same, as accurate as any level but fast asks for.
+RootList accurate_roots(const Torus& torus, const FramedRay& ray, Level level);
 
 /// A root of a surface's polynomial along a ray, by its place among the distinct real ones.
 struct SurfaceRoot {
