@@ -74,7 +74,10 @@ Verdict RootQuestion::verdict_of(const Root& root, std::size_t i, Level level) c
   const double t = root.t;
   if (root.multiplicity != multiplicity) return Verdict::wrong;
   if (level == Level::fast ? t == static_cast<float>(nearest) : t == nearest) return Verdict::exact;
-  const double bound = level == Level::fast ? 0x1p-19 * std::fabs(t) : root.radius;
+  const double size = std::fabs(t);
+  const double bound = level == Level::fast         ? 0x1p-19 * size
+                       : level == Level::watertight ? 0x1p-46 * size
+                                                    : root.radius;
   return level != Level::exact && is_off_by(number, t, bound) ? Verdict::within_bound : Verdict::wrong;
 }
 

@@ -29,6 +29,7 @@ class RootQuestion {
 
   /// Number and multiplicities have to be true. Each t counts as within the bound
   ///   fast     off by no more than 2^-19 of itself, 32 roundings of float: nothing is promised,
+  ///   watertight  off by no more than 2^-46 of itself (lib/README.md),
   ///   precise  off by no more than its own radius, which is proven (root_list.h),
   ///   exact    where rounding to nearest has put it, and the list says that it is certain.
   void judge(Tally& tally, const RootList& list, Level level) const;

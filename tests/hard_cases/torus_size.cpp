@@ -24,7 +24,7 @@ void ask_ferrari(Trial& trial, const TorusQuestion& question) {
 void run_far(Trial& trial) {
   TorusQuestion({ring, {{-0x1p14, 0.5, 0.25}, {1, 0, 0}}}).ask_structures(trial, {0, 0, 9});
   Random random(111);
-  const auto count = trial.count(150);
+  const auto count = trial.count(100);
   for (std::uint64_t i = 0; i < count; ++i) {
     const double far = i == 0 ? 0x1p14 : std::ldexp(1.0, 8 + static_cast<int>(random.below(32)));
     const Vec3d aside = i == 0 ? Vec3d(0) : 0.25 * random_in_cube(random);
@@ -55,7 +55,7 @@ Sketch draw_far() {
 void run_thin(Trial& trial) {
   TorusQuestion({{Vec3d(0), z, 1, 0x1p-20}, {{-3, 0, 0}, {1, 0, 0}}}).ask_structures(trial, {0, 0, 9});
   Random random(112);
-  const auto count = trial.count(150);
+  const auto count = trial.count(100);
   for (std::uint64_t i = 0; i < count; ++i) {
     const double minor = i < 2 ? 0x1p-20 : std::ldexp(1.0, -10 - static_cast<int>(random.below(20)));
     const Torus thin{Vec3d(0), z, 1, minor};
@@ -93,7 +93,7 @@ void run_horn_spindle(Trial& trial) {
                                {spindle, {{-9, 0, 0}, {1, 0, 0}}}, {spindle, {{-9, 0, 4}, {1, 0, 0}}},
                                {horn, {{-2, -2, -1}, {2, 2, 1}}},  {spindle, {{0, 1, -7}, {0, 0, 1}}}};
   Random random(113);
-  const auto count = trial.count(200);
+  const auto count = trial.count(140);
   for (std::uint64_t i = 0; i < std::max<std::uint64_t>(count, std::size(given)); ++i) {
     const TorusAndRay& one = given[i % std::size(given)];
     const TorusQuestion question(i < std::size(given) ? one : varied(one, random));
@@ -129,7 +129,7 @@ Sketch draw_horn_spindle() {
 
 void run_root_elimination(Trial& trial) {
   Random random(114);
-  const auto count = trial.count(300);
+  const auto count = trial.count(200);
   for (std::uint64_t i = 0; i < count; ++i) {
     // Just inside the outer, or the inner equator: the way out is near, however near.
     const double near = std::ldexp(1.0, -14 - static_cast<int>(random.below(36)));
