@@ -335,9 +335,10 @@ REGISTER_TYPED_TEST_SUITE_P(Laws, EqualsBruteForceOnSoup, EqualsBruteForceOnTheL
                             EqualsBruteForceAtEdgesAndCorners, EqualsBruteForceOnFlatThinAndUnevenScenes,
                             EqualsBruteForceFarAwayHugeAndTiny, EqualsBruteForceForLongAndShortDirections,
                             EqualsBruteForceWhereParametersUnderflow, EqualsBruteForceOnSpheresAndBoxes,
-                            EqualsBruteForceOnTurnedWalls, KeepsTheRangeOfTheRay, HitsNothingWithBrokenRays, HoldsNothingOneAndManyEqual,
-                            EndsOnAHundredThousandCopies, CoversEveryPrimitive, ReallyDivides,
-                            BuildsTheSameWithAnyNumberOfThreads, RecordsTheWalkThatItCounts, RefusesOptionsOutOfRange);
+                            EqualsBruteForceOnTurnedWalls, KeepsTheRangeOfTheRay, HitsNothingWithBrokenRays,
+                            HoldsNothingOneAndManyEqual, EndsOnAHundredThousandCopies, CoversEveryPrimitive,
+                            ReallyDivides, BuildsTheSameWithAnyNumberOfThreads, RecordsTheWalkThatItCounts,
+                            RefusesOptionsOutOfRange);
 
 /// Names the tests after the structures.
 struct NameOf {
