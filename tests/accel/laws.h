@@ -103,10 +103,10 @@ TYPED_TEST_P(Laws, KeepsTheRangeOfTheRay) {
 /// Where planes of any orientation suit a scene best, and rays end on what lies in them.
 TYPED_TEST_P(Laws, EqualsBruteForceOnTurnedWalls) {
   for (const TriangleMesh& mesh : {turned(walls(8)), turned(lattice(400, 5, 55))}) {
-    expect_brute_force_hits<TypeParam>(mesh, rays_ending_at_hits<float>(mesh, 800, 56));
-    expect_brute_force_hits<TypeParam>(mesh, rays_ending_at_hits<double>(mesh, 800, 57));
-    expect_brute_force_hits<TypeParam>(mesh, rays_at_edges<float>(mesh, 1000, 58));
-    expect_brute_force_hits<TypeParam>(mesh, rays_at_edges<double>(mesh, 1000, 59));
+    expect_brute_force_hits<TypeParam>(mesh, rays_ending_at_hits<float>(mesh, 300, 56));
+    expect_brute_force_hits<TypeParam>(mesh, rays_ending_at_hits<double>(mesh, 300, 57));
+    expect_brute_force_hits<TypeParam>(mesh, rays_at_edges<float>(mesh, 400, 58));
+    expect_brute_force_hits<TypeParam>(mesh, rays_at_edges<double>(mesh, 400, 59));
   }
 }
 
