@@ -137,6 +137,16 @@ inline TriangleMesh transformed(const TriangleMesh& mesh, float scale, const Vec
   return {std::move(positions), mesh.triangles()};
 }
 
+/// The mesh turned so that none of its planes is across an axis; planes bend by the rounding of their vertices.
+inline TriangleMesh turned(const TriangleMesh& mesh) {
+  std::vector<Vec3f> positions = mesh.positions();
+  for (Vec3f& p : positions) {
+    const Vec3d q(p);
+    p = Vec3f(Vec3d(2 * q.x - q.y + 2 * q.z, 2 * q.x + 2 * q.y - q.z, 2 * q.y + 2 * q.z - q.x) / 3.0);
+  }
+  return {std::move(positions), mesh.triangles()};
+}
+
 inline SphereSet spheres(int count, std::uint64_t seed) {
   Random random(seed);
   std::vector<Sphere> list;

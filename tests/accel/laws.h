@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
 
 #include "tests/accel/law_checks.h"
 
@@ -96,6 +98,16 @@ TYPED_TEST_P(Laws, KeepsTheRangeOfTheRay) {
   expect_brute_force_hits<TypeParam>(balls, rays_ending_at_hits<float>(balls, 150, 36));
   const BoxSet boxes = lattice_boxes(100, 8, 37);
   expect_brute_force_hits<TypeParam>(boxes, rays_ending_at_hits<float>(boxes, 150, 38));
+}
+
+/// Where planes of any orientation suit a scene best, and rays end on what lies in them.
+TYPED_TEST_P(Laws, EqualsBruteForceOnTurnedWalls) {
+  for (const TriangleMesh& mesh : {turned(walls(8)), turned(lattice(400, 5, 55))}) {
+    expect_brute_force_hits<TypeParam>(mesh, rays_ending_at_hits<float>(mesh, 300, 56));
+    expect_brute_force_hits<TypeParam>(mesh, rays_ending_at_hits<double>(mesh, 300, 57));
+    expect_brute_force_hits<TypeParam>(mesh, rays_at_edges<float>(mesh, 400, 58));
+    expect_brute_force_hits<TypeParam>(mesh, rays_at_edges<double>(mesh, 400, 59));
+  }
 }
 
 /// Directions nearly as long as floats go, in a scene so small that parameters underflow.
@@ -323,8 +335,19 @@ REGISTER_TYPED_TEST_SUITE_P(Laws, EqualsBruteForceOnSoup, EqualsBruteForceOnTheL
                             EqualsBruteForceAtEdgesAndCorners, EqualsBruteForceOnFlatThinAndUnevenScenes,
                             EqualsBruteForceFarAwayHugeAndTiny, EqualsBruteForceForLongAndShortDirections,
                             EqualsBruteForceWhereParametersUnderflow, EqualsBruteForceOnSpheresAndBoxes,
-                            KeepsTheRangeOfTheRay, HitsNothingWithBrokenRays, HoldsNothingOneAndManyEqual,
-                            EndsOnAHundredThousandCopies, CoversEveryPrimitive, ReallyDivides,
-                            BuildsTheSameWithAnyNumberOfThreads, RecordsTheWalkThatItCounts, RefusesOptionsOutOfRange);
+                            EqualsBruteForceOnTurnedWalls, KeepsTheRangeOfTheRay, HitsNothingWithBrokenRays,
+                            HoldsNothingOneAndManyEqual, EndsOnAHundredThousandCopies, CoversEveryPrimitive,
+                            ReallyDivides, BuildsTheSameWithAnyNumberOfThreads, RecordsTheWalkThatItCounts,
+                            RefusesOptionsOutOfRange);
+
+/// Names the tests after the structures.
+struct NameOf {
+  template <class A>
+  static std::string GetName(int) {
+    std::string name(A::name);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+  }
+};
 
 }  // namespace sightline::laws

@@ -28,15 +28,6 @@ struct TypesOf<std::tuple<Types...>> {
 };
 using Slice = TypesOf<EveryFourth<0, Accelerators>::type>::type;
 
-struct NameOf {
-  template <class A>
-  static std::string GetName(int) {
-    std::string name(A::name);
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-  }
-};
-
 INSTANTIATE_TYPED_TEST_SUITE_P(Registry, Laws, Slice, NameOf);
 
 }  // namespace sightline::laws

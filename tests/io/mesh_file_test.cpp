@@ -130,6 +130,8 @@ TEST_F(MeshFile, RefusalsNameThePlace) {
             "16: expected the end of the line, found \"2\"");
   EXPECT_EQ(refused("a.ply", replaced(ply_seed("ascii"), "3 0 1 2", "3 0 1 -1")),
             "16: expected a vertex number below 5, found -1");
+  EXPECT_EQ(refused("a.ply", replaced(ply_seed("ascii"), "3 0 1 2", "3 0 1 5")),
+            "16: expected a vertex number below 5, found 5");
   EXPECT_EQ(refused("a.ply", replaced(ply_seed("ascii"), "3 3 0 4\n", "")),
             "20: expected face 5 of 6, found the end of the file");
   EXPECT_EQ(refused("a.ply", replaced(ply_seed("ascii"), "property float z", "property float w")),

@@ -54,6 +54,18 @@ TEST(Flatten, LeavesOutMeshesWithoutTriangles) {
   EXPECT_EQ(instances_of(scene).instances.size(), 0u);
 }
 
+TEST(Flatten, PlacesSolidsByTheProductOfTransforms) {
+  Scene scene;
+  scene.geometries.push_back({"ball", SolidTree(solid::Sphere{{1, 0, 0}, 1})});
+  const NodeId above = scene.graph.add(root_node, "above", Transform::translation({3, 4, 5}));
+  add(scene, above, "ball", Transform::rotation({0, 0, 1}, 90) * Transform::scaling({2, 2, 2}));
+  const SceneSolids placed = solids_of(scene);
+  ASSERT_EQ(placed.solids.size(), 1u);
+  const Aabb bounds = placed.solids[0]->bounds();
+  EXPECT_TRUE(bounds.contains(Aabb{{1, 4, 3}, {5, 8, 7}}));  // around (3, 6, 5)
+  EXPECT_TRUE((Aabb{{0.999f, 3.999f, 2.999f}, {5.001f, 8.001f, 7.001f}}).contains(bounds));
+}
+
 TEST(Flatten, LeavesOutWhatIsHidden) {
   Scene scene = scene_of(make_tetrahedron());
   const NodeId a = add(scene, root_node, "a", {}), b = add(scene, a, "b", {}), c = add(scene, root_node, "c", {});

@@ -78,6 +78,26 @@ TEST(Sphere, IsClippedWhereItReaches) {
   EXPECT_EQ(one.clip(0, {{1, 0, 0}, {2, 2, 2}}).lo.x, 1);
 }
 
+/// Of numbers whose sums doubles hold.
+TEST(Sphere, HasBoundsThatHoldIt) {
+  Random random(2);
+  int rounded = 0;
+  for (int i = 0; i < 10'000; ++i) {
+    const Sphere sphere{{random.uniform(-8, 8), random.uniform(-8, 8), random.uniform(-8, 8)},
+                        random.uniform(0x1p-8f, 1)};
+    const Aabb box = SphereSet({sphere}).bounds(0);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double lo = double(sphere.center[axis]) - sphere.radius, hi = double(sphere.center[axis]) + sphere.radius;
+      rounded += double(float(hi)) < hi;
+      ASSERT_LE(box.lo[axis], lo);
+      ASSERT_GE(box.hi[axis], hi);
+      ASSERT_GT(next_up(box.lo[axis]), lo);
+      ASSERT_LT(next_down(box.hi[axis]), hi);
+    }
+  }
+  EXPECT_GT(rounded, 1000);
+}
+
 TEST(Sphere, IsRefusedWithoutFiniteBounds) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THROW(SphereSet({Sphere{{0, 0, 0}, -1}}), std::invalid_argument);

@@ -264,6 +264,7 @@ TEST(Torus, HasNormalsEverywhere) {
   EXPECT_EQ(normal_at(torus, {1, 4, 2}), Vec3d(0, 0, -1));
   const Torus spindle{Vec3d(0), z, 3, 5};
   EXPECT_EQ(normal_at(spindle, {2, 0, 0}), Vec3d(-1, 0, 0));  // of the lemon, which is hollow
+  EXPECT_NEAR(glm::distance(normal_at(spindle, {1, 0, 3}), Vec3d(-0.8, 0, -0.6)), 0, 0x1p-50);
   EXPECT_EQ(normal_at(spindle, {0, 0, 4}), z);
   EXPECT_EQ(normal_at(spindle, {0, 0, -4}), -z);
   Generated random;

@@ -24,8 +24,13 @@ ExactVector cross(const ExactVector& p, const ExactVector& q) {
   return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
 }
 
+struct ExactCrossing {
+  Rational t;
+  ExactVector point;
+};
+
 /// Plane first, then three inside tests against the normal: another road than the one under test.
-std::optional<Rational> exact_crossing(const Ray<double>& ray, const Triangle& triangle) {
+std::optional<ExactCrossing> exact_crossing(const Ray<double>& ray, const Triangle& triangle) {
   const ExactVector a = exact(Vec3d(triangle.a)), b = exact(Vec3d(triangle.b)), c = exact(Vec3d(triangle.c));
   const ExactVector o = exact(ray.origin), d = exact(ray.direction);
   const ExactVector normal = cross(b - a, c - a);
@@ -37,11 +42,16 @@ std::optional<Rational> exact_crossing(const Ray<double>& ray, const Triangle& t
       dot(cross(a - c, p - c), normal) < 0) {
     return std::nullopt;
   }
-  return t;
+  return ExactCrossing{t, p};
 }
 
-/// Decisions are those of real arithmetic (T1), the point reported is within half the double margin of the true one
-/// (T2), and on the true side of the origin (T3).
+double size_of(const ExactVector& v) {
+  return std::max(
+      {std::fabs(v.x.convert_to<double>()), std::fabs(v.y.convert_to<double>()), std::fabs(v.z.convert_to<double>())});
+}
+
+/// Decisions are those of real arithmetic (T1), and the point reported is within half the double margin of the true one
+/// (T2), by t as by the weights, and on the true side of the origin (T3).
 void expect_exact(const Ray<double>& ray, const Triangle& triangle, int& hits) {
   const TriangleRay prepared(ray, bounds_of(triangle));
   Crossing crossing{};
@@ -50,13 +60,18 @@ void expect_exact(const Ray<double>& ray, const Triangle& triangle, int& hits) {
   ASSERT_EQ(is_found, expected.has_value());
   if (!is_found) return;
   ++hits;
-  const double error = std::fabs(Rational(Rational(crossing.t) - *expected).convert_to<double>());
+  const double error = std::fabs(Rational(Rational(crossing.t) - expected->t).convert_to<double>());
   const double allowed = margin<double> / 2 * reach_of(ray.origin, bounds_of(triangle));
   ASSERT_LE(error * max_norm(ray.direction), allowed);
-  ASSERT_EQ((crossing.t > 0) - (crossing.t < 0), expected->sign());
+  ASSERT_EQ((crossing.t > 0) - (crossing.t < 0), expected->t.sign());
   ASSERT_GE(crossing.u, -1e-9);
   ASSERT_GE(crossing.v, -1e-9);
   ASSERT_LE(crossing.u + crossing.v, 1 + 1e-9);
+  const Rational u(crossing.u), v(crossing.v);
+  const ExactVector a = exact(Vec3d(triangle.a)), to_b = exact(Vec3d(triangle.b)) - a,
+                    to_c = exact(Vec3d(triangle.c)) - a, from_a = expected->point - a;
+  const ExactVector by_weights{u * to_b.x + v * to_c.x, u * to_b.y + v * to_c.y, u * to_b.z + v * to_c.z};
+  ASSERT_LE(size_of(by_weights - from_a), allowed);
 }
 
 Vec3f random_point(Random& random, float size) {
@@ -154,7 +169,7 @@ TEST(Triangle, IsNotHitFromWhereARayStarts) {
       moved += away * scale * std::ldexp(1.0, -static_cast<int>(random.below(60)));
     }
     const auto t = exact_crossing(ray, triangle);
-    on_plane += t && *t == 0;
+    on_plane += t && t->t == 0;
     expect_exact(ray, triangle, hits);
     if (HasFatalFailure()) return;
   }
@@ -178,6 +193,14 @@ TEST(Triangle, WithoutAreaIsMissed) {
   const Ray<double> ray{{-1081.47925, 99.9999542, 87.7701111}, {-32.1072998, -183.355865, -144.607635}};
   int hits = 0;
   expect_exact(ray, line, hits);
+  // Through points, lines and planes on which triangles lie.
+  for (int x = 0; x <= 4; ++x) {
+    const Ray<double> across{{x / 2.0, -3, 5}, {0, 3, -5}}, along{{-1, x / 2.0, 0}, {2, 0, 0}};
+    expect_exact(across, {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}}, hits);
+    expect_exact(across, {{1, 0, 0}, {1, 0, 0}, {1, 0, 0}}, hits);
+    expect_exact(along, {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, hits);
+    expect_exact(along, {{0, 1, 0}, {2, 1, 0}, {1, 1, 0}}, hits);
+  }
   EXPECT_EQ(hits, 0);
 }
 
@@ -198,8 +221,8 @@ TEST(Triangle, IsNotMetAgainByARayThatBeginsOnIt) {
     const bool is_found = TriangleRay(ray, bounds_of(triangle)).intersect(triangle, crossing);
     ASSERT_EQ(is_found, expected.has_value()) << i;
     if (!is_found) continue;
-    ASSERT_EQ(crossing.t > 0, *expected > 0) << i;
-    ASSERT_EQ(crossing.t < 0, *expected < 0) << i;
+    ASSERT_EQ(crossing.t > 0, expected->t > 0) << i;
+    ASSERT_EQ(crossing.t < 0, expected->t < 0) << i;
   }
 }
 
