@@ -59,21 +59,18 @@ std::vector<True> true_sphere_roots(const Vec3d& center, double radius, const Ra
   return wide_quadratic_roots(dot(direction, direction), dot(from, direction), dot(from, from) - Wide(radius) * radius);
 }
 
-TrueChain true_chain(const Rows& map, std::size_t count) {
-  std::array<Wide, 3> position{0, 0, 0};
-  const auto at = [&](std::size_t row, std::size_t column) { return Wide(map[row][column]); };
-  const Wide determinant = at(0, 0) * (at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1)) -
-                           at(0, 1) * (at(1, 0) * at(2, 2) - at(1, 2) * at(2, 0)) +
-                           at(0, 2) * (at(1, 0) * at(2, 1) - at(1, 1) * at(2, 0));
+std::array<True, 3> true_walk(const std::array<int, 4>& turn, const Vec3d& move, std::size_t count) {
+  const Wide w = turn[0], x = turn[1], y = turn[2], z = turn[3], size = w * w + x * x + y * y + z * z;
+  const Wide rows[3][3] = {
+      {(w * w + x * x - y * y - z * z) / size, 2 * (x * y - w * z) / size, 2 * (x * z + w * y) / size},
+      {2 * (x * y + w * z) / size, (w * w - x * x + y * y - z * z) / size, 2 * (y * z - w * x) / size},
+      {2 * (x * z - w * y) / size, 2 * (y * z + w * x) / size, (w * w - x * x - y * y + z * z) / size}};
+  WideVector at(Vec3d(0));
   for (std::size_t i = 0; i < count; ++i) {
-    std::array<Wide, 3> next;
-    for (std::size_t row = 0; row < 3; ++row) {
-      next[row] = at(row, 0) * position[0] + at(row, 1) * position[1] + at(row, 2) * position[2] + at(row, 3);
-    }
-    position = next;
+    const auto row = [&](int r) { return Wide(dot(at, {rows[r][0], rows[r][1], rows[r][2]}) + move[r]); };
+    at = {row(0), row(1), row(2)};
   }
-  return {{true_of(position[0]), true_of(position[1]), true_of(position[2])},
-          true_of(pow(determinant, static_cast<unsigned>(count)))};
+  return {true_of(at.x), true_of(at.y), true_of(at.z)};
 }
 
 }  // namespace sightline::bench

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "sightline/math/aabb.h"
@@ -44,12 +43,7 @@ std::vector<True> true_sphere_roots(const Vec3d& center, double radius, const Ra
 /// Where the line meets the torus of this minor radius around the origin, with axis z and major radius 1, each once.
 std::vector<True> true_torus_roots(double minor, const Ray<double>& ray);
 
-struct TrueChain {
-  std::array<True, 3> position;
-  True determinant;
-};
-using Rows = std::array<std::array<double, 4>, 3>;
-/// What `count` times the same map makes of the origin.
-TrueChain true_chain(const Rows& map, std::size_t count);
+/// Where the origin comes to by `count` steps, each a turn by this quaternion of whole numbers and then a move.
+std::array<True, 3> true_walk(const std::array<int, 4>& turn, const Vec3d& move, std::size_t count);
 
 }  // namespace sightline::bench

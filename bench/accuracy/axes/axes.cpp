@@ -5,7 +5,8 @@
 namespace sightline::bench {
 
 const std::vector<Axis>& accuracy_axes() {
-  static const std::vector<Axis> axes{triangle_axis(), box_axis(), sphere_axis(), quadratic_axis(), torus_axis()};
+  static const std::vector<Axis> axes{triangle_axis(), box_axis(), sphere_axis(), quadratic_axis(), torus_axis(),
+                                      query_axis(),    offset_axis(), noise_axis(),  gradient_axis(),  matrix_axis()};
   return axes;
 }
 

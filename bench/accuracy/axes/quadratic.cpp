@@ -52,35 +52,41 @@ FewRoots ours(const Coefficients& of) {
   }
 }
 
-Panel panel_of(const Effort& effort, bool is_close) {
+enum class Kind { apart, close, close_doubles };
+
+Panel panel_of(const Effort& effort, Kind kind) {
+  const bool is_close = kind != Kind::apart, are_doubles = kind == Kind::close_doubles;
   Chance chance(effort.seed);
   const auto count = effort.count(40'000, 8'000);
   auto questions = std::make_shared<std::vector<Coefficients>>();
-  // Floats, so that every choice is given the same polynomial.
-  const auto as_float = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+  // Floats, so that every choice is given the same polynomial; or doubles for those of doubles.
+  const auto as_float = [&](double x) { return are_doubles ? x : static_cast<double>(static_cast<float>(x)); };
+  const double closest = are_doubles ? 0x1p-40 : 0x1p-26;
   while (questions->size() < count) {
     const double near = chance.sign() * chance.scale(0.1, 10);
-    const double far = is_close ? near * (1 + chance.sign() * chance.scale(0x1p-26, 0x1p-6)) : chance.sign() * chance.scale(0.1, 1e6);
+    const double far = is_close ? near * (1 + chance.sign() * chance.scale(closest, 0x1p-6)) : chance.sign() * chance.scale(0.1, 1e6);
     const double a = as_float(chance.sign() * chance.scale(0.1, 10));
     questions->push_back({a, as_float(-a * (near + far) / 2), as_float(a * near * far)});
   }
   std::vector<std::vector<True>> truths;
   for (const Coefficients& of : *questions) truths.push_back(true_quadratic_roots(of.a, of.b, of.c));
-  Panel panel{is_close ? "close roots" : "roots apart",
-              is_close ? "roots 2^-26 to 2^-6 of themselves apart, or just not there" : "roots of 0.1 to 1e6",
+  Panel panel{are_doubles ? "close, doubles" : is_close ? "close roots" : "roots apart",
+              are_doubles ? "coefficients of 53 bits, roots 2^-40 to 2^-6 of themselves apart, or just not there"
+              : is_close  ? "coefficients of 24 bits, roots 2^-26 to 2^-6 of themselves apart, or just not there"
+                          : "coefficients of 24 bits, roots of 0.1 to 1e6",
               "quadratic", "of a root, as a share of it", is_close ? ErrorKind::wrong : ErrorKind::maximum,
               static_cast<double>(count)};
   const auto add = [&]<class Solve>(const std::string& name, Solve solve) {
     panel.choices.push_back(root_choice(name, std::shared_ptr<const std::vector<Coefficients>>(questions), truths, solve,
                                         [](const Coefficients&, const True& root) { return std::fabs(root.high); }));
   };
-  add("textbook float", [](const Coefficients& of) { return textbook<float>(of); });
+  if (!are_doubles) add("textbook float", [](const Coefficients& of) { return textbook<float>(of); });
   add("textbook double", [](const Coefficients& of) { return textbook<double>(of); });
-  add("Kahan float", [](const Coefficients& of) { return stable<float, false>(of); });
+  if (!are_doubles) add("Kahan float", [](const Coefficients& of) { return stable<float, false>(of); });
   add("Kahan double", [](const Coefficients& of) { return stable<double, false>(of); });
-  add("Kahan fma float", [](const Coefficients& of) { return stable<float, true>(of); });
+  if (!are_doubles) add("Kahan fma float", [](const Coefficients& of) { return stable<float, true>(of); });
   add("Kahan fma double", [](const Coefficients& of) { return stable<double, true>(of); });
-  add("ours float", [](const Coefficients& of) { return ours<float>(of); });
+  if (!are_doubles) add("ours float", [](const Coefficients& of) { return ours<float>(of); });
   add("ours double", [](const Coefficients& of) { return ours<double>(of); });
   add("ours proven", [](const Coefficients& of) { return ours<DoubleBall>(of); });
   return panel;
@@ -90,7 +96,10 @@ Panel panel_of(const Effort& effort, bool is_close) {
 
 Axis quadratic_axis() {
   return {"quadratic", "how the roots of a quadratic are found",
-          [](const Effort& effort) { return std::vector{panel_of(effort, false), panel_of(effort, true)}; }};
+          [](const Effort& effort) { 
+            return std::vector{panel_of(effort, Kind::apart), panel_of(effort, Kind::close),
+                               panel_of(effort, Kind::close_doubles)};
+          }};
 }
 
 }  // namespace sightline::bench
