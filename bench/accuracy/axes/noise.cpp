@@ -3,6 +3,7 @@
 #include "bench/accuracy/axes/axes.h"
 #include "bench/accuracy/chance.h"
 #include "bench/accuracy/error_sum.h"
+#include "bench/text_table.h"
 #include "sightline/noise/noise_field.h"
 
 namespace sightline::bench {
@@ -91,8 +92,8 @@ Panel octaves(const Effort& effort) {
               "point", "of the value", ErrorKind::rms, static_cast<double>(points->size())};
   for (int left = 1; left < all; ++left) {
     const float footprint = std::ldexp(1.0f, -left - 1);  // a quarter of the last octave's cell: that one is whole
-    panel.choices.push_back(choice_of<float>(std::to_string(field.octaves_within(footprint)) + " octaves", field, points,
-                                             truth, footprint));
+    panel.choices.push_back(choice_of<float>(plural(static_cast<std::size_t>(field.octaves_within(footprint)), "octave"),
+                                             field, points, truth, footprint));
   }
   panel.choices.push_back(choice_of<float>("8 octaves", field, points, truth));
   return panel;

@@ -5,6 +5,7 @@
 #include "bench/accuracy/chance.h"
 #include "bench/accuracy/error_sum.h"
 #include "bench/accuracy/oracle.h"
+#include "bench/estimate.h"
 
 namespace sightline::bench {
 namespace {
@@ -22,12 +23,12 @@ using Questions = std::vector<Question>;
 
 constexpr double lowest_scale = 1e-4, highest_scale = 1e7, gap = 0x1p-10;  ///< The gap in sizes.
 
-Questions questions_of(const Effort& effort) {
+Questions questions_of(const Effort& effort, double reach) {
   Chance chance(effort.seed);
   Questions questions(effort.count(20'000, 4'000));
   for (Question& q : questions) {
     q.size = chance.scale(lowest_scale, highest_scale);
-    const Vec3d corner = q.size * chance.point(4), normal = chance.direction();
+    const Vec3d corner = q.size * chance.point(reach), normal = chance.direction();
     const Vec3d side = glm::normalize(glm::cross(normal, chance.direction())), up = glm::cross(normal, side);
     const auto point = [&](double x, double y, double z) { return Vec3f(corner + q.size * (x * side + y * up + z * normal)); };
     q.triangle = {point(0, 0, 0), point(1, 0, 0), point(chance.unit(), 1, 0)};
@@ -119,11 +120,13 @@ Choice choice_of(const std::string& name, const std::shared_ptr<const Questions>
           {{"self-hits %", share * static_cast<double>(self_hits)}, {"leaks %", share * static_cast<double>(leaks)}}};
 }
 
-std::vector<Panel> panels(const Effort& effort) {
-  const auto questions = std::make_shared<const Questions>(questions_of(effort));
-  Panel panel{"scales 1e-4 to 1e7",
-              "rays that leave triangles of size 1e-4 to 1e7, up to 4 sizes from the origin, below a second surface "
-              "2^-10 sizes away; wrong: the first is met again, or the second missed",
+Panel panel_of(const Effort& effort, double reach) {
+  const auto questions = std::make_shared<const Questions>(questions_of(effort, reach));
+  const std::string sizes = number_text(reach, 1) + " sizes";
+  Panel panel{"within " + sizes,
+              "rays that leave triangles of size 1e-4 to 1e7, up to " + sizes +
+                  " along each axis from the origin, below a second surface 2^-10 sizes away; wrong: the first is met "
+                  "again, or the second missed",
               "ray", "of the ray's origin, in sizes", ErrorKind::wrong, static_cast<double>(questions->size())};
   panel.choices = {choice_of<AsItIs>("none", questions),
                    choice_of<Fixed>("fixed 1e-4, along the normal", questions),
@@ -131,11 +134,12 @@ std::vector<Panel> panels(const Effort& effort) {
                    choice_of<Relative>("relative 1e-4", questions),
                    choice_of<WaechterBinder>("Waechter-Binder", questions),
                    choice_of<ErrorBound>("ours, error bound", questions)};
-  return {panel};
+  return panel;
 }
 
 }  // namespace
 
-Axis offset_axis() { return {"offset", "where a ray begins that leaves a surface", panels}; }
+Axis offset_axis() { return {"offset", "where a ray begins that leaves a surface",
+          [](const Effort& effort) { return std::vector{panel_of(effort, 4), panel_of(effort, 64)}; }}; }
 
 }  // namespace sightline::bench

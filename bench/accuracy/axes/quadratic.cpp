@@ -4,6 +4,7 @@
 #include "bench/accuracy/axes/axes.h"
 #include "bench/accuracy/axes/root_choice.h"
 #include "bench/accuracy/chance.h"
+#include "sightline/csg/settle.h"
 #include "sightline/math/quadratic.h"
 
 namespace sightline::bench {
@@ -44,9 +45,9 @@ template <class N>
 FewRoots ours(const Coefficients& of) {
   if constexpr (std::is_floating_point_v<N>) {
     return few_of(quadratic_roots(static_cast<N>(of.a), static_cast<N>(of.b), static_cast<N>(of.c)));
-  } else {  // wider numbers where these are not certain
+  } else {  // wider numbers where these do not tell enough
     const RootList list = quadratic_roots(DoubleBall(of.a), DoubleBall(of.b), DoubleBall(of.c));
-    if (list.is_certain) return few_of(list);
+    if (is_accurate(list, Level::watertight)) return few_of(list);
     return few_of(quadratic_roots(WideBall(DoubleDouble(of.a), 0), WideBall(DoubleDouble(of.b), 0),
                                   WideBall(DoubleDouble(of.c), 0)));
   }
@@ -88,7 +89,7 @@ Panel panel_of(const Effort& effort, Kind kind) {
   add("Kahan fma double", [](const Coefficients& of) { return stable<double, true>(of); });
   if (!are_doubles) add("ours float", [](const Coefficients& of) { return ours<float>(of); });
   add("ours double", [](const Coefficients& of) { return ours<double>(of); });
-  add("ours proven", [](const Coefficients& of) { return ours<DoubleBall>(of); });
+  add("ours watertight", [](const Coefficients& of) { return ours<DoubleBall>(of); });
   return panel;
 }
 
