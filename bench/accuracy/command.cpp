@@ -25,7 +25,7 @@ Exit code: 0; 1 when a file cannot be written; 2 when the command line is wrong.
 std::string list_text() {
   std::string text;
   for (const Axis& axis : accuracy_axes()) {
-    text += std::string(axis.name) + std::string(14 - axis.name.size(), ' ') + std::string(axis.question) + '\n';
+    text += std::string(axis.name) + std::string(15 - axis.name.size(), ' ') + std::string(axis.question) + '\n';
   }
   return text;
 }
@@ -75,10 +75,9 @@ int run(int argc, const char* const* argv, const DrawCharts& draw) {
   check_json(plan.html);
   Progress progress;
   TablePrinter tables;
-  const AccuracyReport report =
-      run_accuracy(plan, progress, [&](const AccuracyReport& so_far, const AxisReport& axis) {
-        tables.show(so_far, table_text(axis));
-      });
+  const AccuracyReport report = run_accuracy(plan, progress, [&](const AccuracyReport& so_far, const AxisReport& axis) {
+    tables.show(so_far, table_text(axis));
+  });
   if (!plan.json.empty()) write_text(plan.json, json_text(report));
   if (!plan.html.empty()) write_text(plan.html, page_text(report));
   if (!plan.charts.empty()) draw(report, plan.charts);

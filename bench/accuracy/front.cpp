@@ -32,10 +32,14 @@ std::vector<Standing> standings(std::span<const Candidate> candidates) {
 
 std::string_view name_of(Place place) {
   switch (place) {
-    case Place::on_front: return "front";
-    case Place::dominated: return "dominated";
-    case Place::not_resolved: return "not resolved";
-    case Place::unknown: break;
+    case Place::on_front:
+      return "front";
+    case Place::dominated:
+      return "dominated";
+    case Place::not_resolved:
+      return "not resolved";
+    case Place::unknown:
+      break;
   }
   return "unknown";
 }

@@ -24,8 +24,8 @@ enum class Place {
 
 struct Standing {
   Place place = Place::unknown;
-  std::size_t by = 0;       ///< Which one dominates, the fastest of those; or cannot be told apart.
-  Estimate ratio{};         ///< This one's time over that one's, paired by round.
+  std::size_t by = 0;  ///< Which one dominates, the fastest of those; or cannot be told apart.
+  Estimate ratio{};    ///< This one's time over that one's, paired by round.
 };
 
 /// By index. A choice without an error takes no part.

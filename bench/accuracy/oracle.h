@@ -1,8 +1,8 @@
 #pragma once
-/// What real arithmetic gives, from the same numbers that the choices are given: sums and products of floats and doubles
-/// of moderate size are exact in 1200 bits, and quotients and roots are off by less than 2^-1000 of themselves. Signs of
-/// sums of products are therefore decided, not estimated; roots of quartics are counted by Sturm's theorem in rational
-/// numbers.
+/// What real arithmetic gives, from the same numbers that the choices are given: sums and products of floats and
+/// doubles of moderate size are exact in 1200 bits, and quotients and roots are off by less than 2^-1000 of themselves.
+/// Signs of sums of products are therefore decided, not estimated; roots of quartics are counted by Sturm's theorem in
+/// rational numbers.
 
 #include <array>
 #include <optional>
@@ -10,8 +10,8 @@
 
 #include "sightline/math/aabb.h"
 #include "sightline/math/ray.h"
-#include "sightline/shape/triangle.h"
 #include "sightline/shape/torus.h"
+#include "sightline/shape/triangle.h"
 
 namespace sightline::bench {
 

@@ -7,8 +7,9 @@
 
 namespace sightline::bench {
 
-using Wide = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<1200, boost::multiprecision::digit_base_2>, boost::multiprecision::et_off>;
+using Wide =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<1200, boost::multiprecision::digit_base_2>,
+                                  boost::multiprecision::et_off>;
 
 inline True true_of(const Wide& x) {
   const double high = static_cast<double>(x);

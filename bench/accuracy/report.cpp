@@ -20,10 +20,14 @@ std::string standing_text(const PanelReport& panel, const ChoiceReport& choice) 
   const Standing& standing = choice.standing;
   const auto& other = panel.choices[standing.by].name;
   switch (standing.place) {
-    case Place::on_front: return "front";
-    case Place::dominated: return measured_text(standing.ratio) + "x " + other;
-    case Place::not_resolved: return "not resolved: " + other;
-    case Place::unknown: break;
+    case Place::on_front:
+      return "front";
+    case Place::dominated:
+      return measured_text(standing.ratio) + "x " + other;
+    case Place::not_resolved:
+      return "not resolved: " + other;
+    case Place::unknown:
+      break;
   }
   return "";
 }
@@ -107,7 +111,8 @@ std::string head_text(const AccuracyReport& report) {
          "time      one thread's processor time of one, median of " +
          plural(static_cast<std::size_t>(report.plan.rounds), "round") +
          " with its interval\n"
-         "standing  front: nothing as accurate is faster; 2x NAME: NAME is as accurate, and this takes twice its time;\n"
+         "standing  front: nothing as accurate is faster; 2x NAME: NAME is as accurate, and this takes twice its "
+         "time;\n"
          "          not resolved: NAME is as accurate, and the rounds do not tell which is faster\n"
          "A/A       the first line timed twice: an interval that leaves 1 out says how much to believe\n";
 }
@@ -125,9 +130,12 @@ std::string json_text(const AccuracyReport& report) {
     for (const PanelReport& panel : axis.panels) panels.push_back(json_of(panel));
     axes.push_back({{"name", axis.name}, {"question", axis.question}, {"panels", panels}});
   }
-  const Json json{{"schema", "sightline-accuracy 1"}, {"date", report.machine.date},
-                  {"machine", json_of(report.machine)}, {"seed", report.plan.seed},
-                  {"quick", report.plan.is_quick},      {"rounds", report.plan.rounds},
+  const Json json{{"schema", "sightline-accuracy 1"},
+                  {"date", report.machine.date},
+                  {"machine", json_of(report.machine)},
+                  {"seed", report.plan.seed},
+                  {"quick", report.plan.is_quick},
+                  {"rounds", report.plan.rounds},
                   {"axes", axes}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -35,7 +35,8 @@ struct PanelReport {
   std::string name, description, unit, error_unit;
   ErrorKind kind = ErrorKind::maximum;
   std::vector<ChoiceReport> choices;
-  Estimate same;  ///< The first choice's time over its own, timed a second time: what the machine makes of no difference.
+  Estimate
+      same;  ///< The first choice's time over its own, timed a second time: what the machine makes of no difference.
 };
 
 struct AxisReport {

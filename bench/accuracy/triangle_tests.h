@@ -1,6 +1,6 @@
 #pragma once
-/// Ray-triangle tests as textbooks and papers have them, written plainly, in any type of numbers. Each takes the line of
-/// a ray, counts edges in, and reports t and the weights u, v of the second and third corner.
+/// Ray-triangle tests as textbooks and papers have them, written plainly, in any type of numbers. Each takes the line
+/// of a ray, counts edges in, and reports t and the weights u, v of the second and third corner.
 
 #include <utility>
 

@@ -30,6 +30,7 @@ for line in "${commands[@]}"; do
     './sightline render ' | './sightline plan ') words=("${words[@]/#data\//$root/data/}") ;;
     './sightline probe ' | './sightline noise ') words=("${words[@]/#data\//$root/data/}") ;;
     './sightline bench ') [[ $line == *--quick* ]] || words+=(--quick) ;;
+    './sightline accuracy ') [[ $line == *--axis* ]] || words+=(--axis box --quick --rounds 3) ;;
   esac
   for word in "${words[@]:1}"; do
     [[ $word != */*.* || $word == /* ]] || mkdir -p "$work/$(dirname -- "$word")"

@@ -150,9 +150,13 @@ std::vector<Panel> panels(const Effort& effort) {
       truths[i][k] = truly_meets(question.boxes[k], to_double(question.ray));
     }
   }
-  Panel panel{"at silhouettes",
-              "rays at points of edges that eight boxes share, every sixteenth in a face of one; wrong is what is missed",
-              "test", "", ErrorKind::wrong, static_cast<double>(truths.size() * boxes_a_ray)};
+  Panel panel{
+      "at silhouettes",
+      "rays at points of edges that eight boxes share, every sixteenth in a face of one; wrong is what is missed",
+      "test",
+      "",
+      ErrorKind::wrong,
+      static_cast<double>(truths.size() * boxes_a_ray)};
   panel.choices = {choice_of<Dividing>("min and max, divided", questions, truths),
                    choice_of<Multiplying>("min and max, reciprocals", questions, truths),
                    choice_of<Ordered<false>>("order that keeps NaN", questions, truths),

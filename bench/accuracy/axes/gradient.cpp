@@ -69,14 +69,16 @@ std::vector<Panel> panels(const Effort& effort) {
   }
   Panel panel{"improved noise",
               "its gradient, single points; the truth is known to some 1e-14, and double's own error is not less",
-              "gradient", "of a component", ErrorKind::maximum, static_cast<double>(points->size())};
+              "gradient",
+              "of a component",
+              ErrorKind::maximum,
+              static_cast<double>(points->size())};
   const std::shared_ptr<const Points> asked = points;
   panel.choices.push_back(choice_of("analytic float", asked, truths, [noise](const Point<double>& p) {
     return Point<double>(noise.sample<3, float>(Point<float>(p)).gradient);
   }));
-  panel.choices.push_back(choice_of("analytic double", asked, truths, [noise](const Point<double>& p) {
-    return noise.sample<3, double>(p).gradient;
-  }));
+  panel.choices.push_back(choice_of("analytic double", asked, truths,
+                                    [noise](const Point<double>& p) { return noise.sample<3, double>(p).gradient; }));
   for (int digits = 1; digits <= 8; ++digits) {
     const double h = std::pow(10.0, -digits);
     char step[16];
@@ -84,9 +86,8 @@ std::vector<Panel> panels(const Effort& effort) {
     panel.choices.push_back(choice_of(std::string(step) + "float", asked, truths, [noise, h](const Point<double>& p) {
       return central<float>(noise, p, static_cast<float>(h));
     }));
-    panel.choices.push_back(choice_of(std::string(step) + "double", asked, truths, [noise, h](const Point<double>& p) {
-      return central<double>(noise, p, h);
-    }));
+    panel.choices.push_back(choice_of(std::string(step) + "double", asked, truths,
+                                      [noise, h](const Point<double>& p) { return central<double>(noise, p, h); }));
   }
   return {panel};
 }

@@ -108,8 +108,12 @@ Panel panel_of(const Effort& effort, std::size_t count) {
     truths.push_back(true_walk(walks[i].turn, walks[i].move, count));
   }
   const std::string number = std::to_string(count);
-  Panel panel{number + " steps", number + " times a turn and a move of length 1", "chain", "of the position, in moves",
-              ErrorKind::maximum, static_cast<double>(walks.size())};
+  Panel panel{number + " steps",
+              number + " times a turn and a move of length 1",
+              "chain",
+              "of the position, in moves",
+              ErrorKind::maximum,
+              static_cast<double>(walks.size())};
   panel.choices = {choice_of<float>("products float", walks, truths, count, one_by_one<float>),
                    choice_of<double>("products double", walks, truths, count, one_by_one<double>),
                    choice_of<float>("renormalised float", walks, truths, count, renormalised<float>),

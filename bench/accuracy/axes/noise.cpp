@@ -60,7 +60,10 @@ Panel kinds(const Effort& effort) {
   Panel panel{"one octave",
               "noise within 100 cells of the origin, in batches; double is the reference: its own error, some 1e-15, "
               "counts as 0",
-              "point", "of the value", ErrorKind::maximum, static_cast<double>(floats->size())};
+              "point",
+              "of the value",
+              ErrorKind::maximum,
+              static_cast<double>(floats->size())};
   for (const NoiseKind kind : {NoiseKind::perlin, NoiseKind::improved, NoiseKind::value}) {
     for (const EaseInfo& ease : ease_infos) {
       if (kind == NoiseKind::improved && ease.ease == Ease::cubic) continue;
@@ -68,7 +71,8 @@ Panel kinds(const Effort& effort) {
       options.noise.kind = kind, options.noise.ease = ease.ease;
       const NoiseField field(options);
       const auto truth = values_of<double>(field, *doubles, 0);
-      const std::string name = std::string(noise_infos[static_cast<std::size_t>(kind)].name) + ' ' + std::string(ease.name);
+      const std::string name =
+          std::string(noise_infos[static_cast<std::size_t>(kind)].name) + ' ' + std::string(ease.name);
       const double jump = curvature_jump(field.noise(), effort);
       panel.choices.push_back(choice_of<float>(name + " float", field, floats, truth));
       panel.choices.push_back(choice_of<double>(name + " double", field, doubles, truth));
@@ -86,14 +90,18 @@ Panel octaves(const Effort& effort) {
   const auto points = points_of<float>(effort, 100);
   const auto doubles = points_of<double>(effort, 100);
   const auto truth = values_of<double>(field, *doubles, 0);
-  Panel panel{"octaves",
-              "fractional Brownian motion of improved noise in float: octaves that a footprint leaves of 8, against all "
-              "8 in double",
-              "point", "of the value", ErrorKind::rms, static_cast<double>(points->size())};
+  Panel panel{
+      "octaves",
+      "fractional Brownian motion of improved noise in float: octaves that a footprint leaves of 8, against all "
+      "8 in double",
+      "point",
+      "of the value",
+      ErrorKind::rms,
+      static_cast<double>(points->size())};
   for (int left = 1; left < all; ++left) {
     const float footprint = std::ldexp(1.0f, -left - 1);  // a quarter of the last octave's cell: that one is whole
-    panel.choices.push_back(choice_of<float>(plural(static_cast<std::size_t>(field.octaves_within(footprint)), "octave"),
-                                             field, points, truth, footprint));
+    panel.choices.push_back(choice_of<float>(
+        plural(static_cast<std::size_t>(field.octaves_within(footprint)), "octave"), field, points, truth, footprint));
   }
   panel.choices.push_back(choice_of<float>("8 octaves", field, points, truth));
   return panel;
@@ -102,8 +110,9 @@ Panel octaves(const Effort& effort) {
 }  // namespace
 
 Axis noise_axis() {
-  return {"noise", "in what numbers, with what ease, and how many octaves of noise",
-          [](const Effort& effort) { return std::vector{kinds(effort), octaves(effort)}; }};
+  return {"noise", "in what numbers, with what ease, and how many octaves of noise", [](const Effort& effort) {
+            return std::vector{kinds(effort), octaves(effort)};
+          }};
 }
 
 }  // namespace sightline::bench

@@ -10,8 +10,8 @@
 namespace sightline::bench {
 namespace {
 
-/// A point of a triangle, known by its weights, and where it goes on to: through a second triangle that lies a small gap
-/// above, and is large enough that it must be met.
+/// A point of a triangle, known by its weights, and where it goes on to: through a second triangle that lies a small
+/// gap above, and is large enough that it must be met.
 struct Question {
   Triangle triangle, above;
   float u, v;
@@ -30,7 +30,9 @@ Questions questions_of(const Effort& effort, double reach) {
     q.size = chance.scale(lowest_scale, highest_scale);
     const Vec3d corner = q.size * chance.point(reach), normal = chance.direction();
     const Vec3d side = glm::normalize(glm::cross(normal, chance.direction())), up = glm::cross(normal, side);
-    const auto point = [&](double x, double y, double z) { return Vec3f(corner + q.size * (x * side + y * up + z * normal)); };
+    const auto point = [&](double x, double y, double z) {
+      return Vec3f(corner + q.size * (x * side + y * up + z * normal));
+    };
     q.triangle = {point(0, 0, 0), point(1, 0, 0), point(chance.unit(), 1, 0)};
     q.above = {point(-64, -64, gap), point(128, -64, gap), point(-64, 128, gap)};
     const double root = std::sqrt(chance.unit()), share = chance.unit();
@@ -75,8 +77,8 @@ struct WaechterBinder {
     for (int axis = 0; axis < 3; ++axis) {
       const auto steps = static_cast<std::int32_t>(units * q.normal[axis]);
       const auto bits = std::bit_cast<std::int32_t>(p[axis]) + (p[axis] < 0 ? -steps : steps);
-      moved[axis] = std::fabs(p[axis]) < near_origin ? p[axis] + fixed_length * q.normal[axis]
-                                                     : std::bit_cast<float>(bits);
+      moved[axis] =
+          std::fabs(p[axis]) < near_origin ? p[axis] + fixed_length * q.normal[axis] : std::bit_cast<float>(bits);
     }
     return moved;
   }
@@ -127,7 +129,10 @@ Panel panel_of(const Effort& effort, double reach) {
               "rays that leave triangles of size 1e-4 to 1e7, up to " + sizes +
                   " along each axis from the origin, below a second surface 2^-10 sizes away; wrong: the first is met "
                   "again, or the second missed",
-              "ray", "of the ray's origin, in sizes", ErrorKind::wrong, static_cast<double>(questions->size())};
+              "ray",
+              "of the ray's origin, in sizes",
+              ErrorKind::wrong,
+              static_cast<double>(questions->size())};
   panel.choices = {choice_of<AsItIs>("none", questions),
                    choice_of<Fixed>("fixed 1e-4, along the normal", questions),
                    choice_of<AlongRay>("fixed 1e-4, along the ray", questions),
@@ -139,7 +144,10 @@ Panel panel_of(const Effort& effort, double reach) {
 
 }  // namespace
 
-Axis offset_axis() { return {"offset", "where a ray begins that leaves a surface",
-          [](const Effort& effort) { return std::vector{panel_of(effort, 4), panel_of(effort, 64)}; }}; }
+Axis offset_axis() {
+  return {"offset", "where a ray begins that leaves a surface", [](const Effort& effort) {
+            return std::vector{panel_of(effort, 4), panel_of(effort, 64)};
+          }};
+}
 
 }  // namespace sightline::bench

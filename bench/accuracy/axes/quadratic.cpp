@@ -65,20 +65,26 @@ Panel panel_of(const Effort& effort, Kind kind) {
   const double closest = are_doubles ? 0x1p-40 : 0x1p-26;
   while (questions->size() < count) {
     const double near = chance.sign() * chance.scale(0.1, 10);
-    const double far = is_close ? near * (1 + chance.sign() * chance.scale(closest, 0x1p-6)) : chance.sign() * chance.scale(0.1, 1e6);
+    const double far =
+        is_close ? near * (1 + chance.sign() * chance.scale(closest, 0x1p-6)) : chance.sign() * chance.scale(0.1, 1e6);
     const double a = as_float(chance.sign() * chance.scale(0.1, 10));
     questions->push_back({a, as_float(-a * (near + far) / 2), as_float(a * near * far)});
   }
   std::vector<std::vector<True>> truths;
   for (const Coefficients& of : *questions) truths.push_back(true_quadratic_roots(of.a, of.b, of.c));
-  Panel panel{are_doubles ? "close, doubles" : is_close ? "close roots" : "roots apart",
+  Panel panel{are_doubles ? "close, doubles"
+              : is_close  ? "close roots"
+                          : "roots apart",
               are_doubles ? "coefficients of 53 bits, roots 2^-40 to 2^-6 of themselves apart, or just not there"
               : is_close  ? "coefficients of 24 bits, roots 2^-26 to 2^-6 of themselves apart, or just not there"
                           : "coefficients of 24 bits, roots of 0.1 to 1e6",
-              "quadratic", "of a root, as a share of it", is_close ? ErrorKind::wrong : ErrorKind::maximum,
+              "quadratic",
+              "of a root, as a share of it",
+              is_close ? ErrorKind::wrong : ErrorKind::maximum,
               static_cast<double>(count)};
   const auto add = [&]<class Solve>(const std::string& name, Solve solve) {
-    panel.choices.push_back(root_choice(name, std::shared_ptr<const std::vector<Coefficients>>(questions), truths, solve,
+    panel.choices.push_back(root_choice(name, std::shared_ptr<const std::vector<Coefficients>>(questions), truths,
+                                        solve,
                                         [](const Coefficients&, const True& root) { return std::fabs(root.high); }));
   };
   if (!are_doubles) add("textbook float", [](const Coefficients& of) { return textbook<float>(of); });
@@ -96,8 +102,7 @@ Panel panel_of(const Effort& effort, Kind kind) {
 }  // namespace
 
 Axis quadratic_axis() {
-  return {"quadratic", "how the roots of a quadratic are found",
-          [](const Effort& effort) { 
+  return {"quadratic", "how the roots of a quadratic are found", [](const Effort& effort) {
             return std::vector{panel_of(effort, Kind::apart), panel_of(effort, Kind::close),
                                panel_of(effort, Kind::close_doubles)};
           }};

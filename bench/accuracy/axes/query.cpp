@@ -104,7 +104,8 @@ Panel panel_of(const Effort& effort, const std::string& scene, const Mesh& mesh)
     if (info.name == "brute-force") continue;  // no choice for many triangles
     const std::shared_ptr<const Tracer> tracer = make_tracer(info.name, mesh);
     const std::string name(info.name);
-    if (!tracer->is_lazy()) panel.choices.push_back(choice_of<float>(name + " fast", tracer, rays, truths, Level::fast));
+    if (!tracer->is_lazy())
+      panel.choices.push_back(choice_of<float>(name + " fast", tracer, rays, truths, Level::fast));
     panel.choices.push_back(choice_of<float>(name + " watertight", tracer, rays, truths, Level::watertight));
     panel.choices.push_back(choice_of<double>(name + " double", tracer, rays, truths, Level::watertight));
   }

@@ -68,15 +68,18 @@ Panel panel_of(const Effort& effort, bool is_grazing) {
     const Vec3d side = glm::normalize(glm::cross(toward, chance.direction()));
     const double beside = is_grazing ? 1 + chance.sign() * chance.scale(0x1p-40, 0x1p-10) : std::sqrt(chance.unit());
     const Vec3d to = Vec3d(center) + beside * side;
-    questions->push_back({{Vec3d(from), Vec3d(Vec3f(chance.scale(0.25, 4) * glm::normalize(to - Vec3d(from))))},
-                          {Vec3d(center), 1}});
+    questions->push_back(
+        {{Vec3d(from), Vec3d(Vec3f(chance.scale(0.25, 4) * glm::normalize(to - Vec3d(from))))}, {Vec3d(center), 1}});
   }
   std::vector<std::vector<True>> truths;
   for (const Question& q : *questions) truths.push_back(true_sphere_roots(q.sphere.center, q.sphere.radius, q.ray));
   Panel panel{is_grazing ? "grazing" : "hits",
-              is_grazing ? "rays past the silhouette of spheres 10 to 10,000 radii away, by 2^-40 to 2^-10 of the radius"
-                         : "rays at spheres 10 to 10,000 radii away",
-              "sphere", "of a point, in radii", is_grazing ? ErrorKind::wrong : ErrorKind::maximum,
+              is_grazing
+                  ? "rays past the silhouette of spheres 10 to 10,000 radii away, by 2^-40 to 2^-10 of the radius"
+                  : "rays at spheres 10 to 10,000 radii away",
+              "sphere",
+              "of a point, in radii",
+              is_grazing ? ErrorKind::wrong : ErrorKind::maximum,
               static_cast<double>(count)};
   const auto add = [&]<class Solve>(const std::string& name, Solve solve) {
     panel.choices.push_back(
@@ -98,8 +101,9 @@ Panel panel_of(const Effort& effort, bool is_grazing) {
 }  // namespace
 
 Axis sphere_axis() {
-  return {"sphere", "how the crossings of a line and a sphere are found",
-          [](const Effort& effort) { return std::vector{panel_of(effort, false), panel_of(effort, true)}; }};
+  return {"sphere", "how the crossings of a line and a sphere are found", [](const Effort& effort) {
+            return std::vector{panel_of(effort, false), panel_of(effort, true)};
+          }};
 }
 
 }  // namespace sightline::bench

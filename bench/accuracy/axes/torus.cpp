@@ -45,9 +45,8 @@ std::vector<Panel> panels(const Effort& effort) {
     };
     add("Ferrari double", [torus](const Ray<double>& ray) { return ferraris(torus, ray); });
     for (const LevelInfo& info : level_infos) {
-      add("ours " + std::string(info.name), [torus, level = info.level](const Ray<double>& ray) {
-        return few_of(torus_roots(torus, ray, level));
-      });
+      add("ours " + std::string(info.name),
+          [torus, level = info.level](const Ray<double>& ray) { return few_of(torus_roots(torus, ray, level)); });
     }
     all.push_back(std::move(panel));
   }

@@ -37,7 +37,8 @@ Fan fan_of(Chance& chance) {
   for (std::size_t i = 0; i < around; ++i) {
     const double angle = 2 * std::numbers::pi * (static_cast<double>(i) + chance.between(0, 0.7)) / around;
     const double reach = chance.scale(0.1, 1);
-    rim[i] = Vec3f(middle + reach * (std::cos(angle) * side + std::sin(angle) * up + chance.between(-0.3, 0.3) * normal));
+    rim[i] =
+        Vec3f(middle + reach * (std::cos(angle) * side + std::sin(angle) * up + chance.between(-0.3, 0.3) * normal));
   }
   for (std::size_t i = 0; i < around; ++i) {
     fan.triangles[i] = {Vec3f(middle), rim[i], rim[(i + 1) % around]};
@@ -127,8 +128,9 @@ Choice choice_of(const std::string& name, const std::shared_ptr<const Questions>
   for (std::size_t i = 0; i < truths.size(); ++i) {
     Answers answers;
     const Question& question = questions->asked[i];
-    asker.ask(question, questions->fans[question.fan],
-              [&](std::size_t k, double t, double u, double v) { answers[k] = {true, t, u, v}; });
+    asker.ask(question, questions->fans[question.fan], [&](std::size_t k, double t, double u, double v) {
+      answers[k] = {true, t, u, v};
+    });
     bool is_seen = false, is_there = false;
     for (std::size_t k = 0; k < around; ++k) {
       const auto& truth = truths[i][k];
@@ -156,12 +158,13 @@ Panel panel_of(const Effort& effort, bool at_edges) {
   effort.say(at_edges ? "rays at edges" : "rays inside");
   const auto questions = std::make_shared<const Questions>(questions_of(effort, at_edges));
   const Truths truths = truths_of(*questions);
-  Panel panel{at_edges ? "at edges" : "inside",
-              at_edges ? "rays at edges and corners that eight triangles share" : "rays inside of one of eight triangles",
-              "test",
-              "of t (in lengths of the direction), u and v",
-              at_edges ? ErrorKind::wrong : ErrorKind::maximum,
-              static_cast<double>(truths.size() * around)};
+  Panel panel{
+      at_edges ? "at edges" : "inside",
+      at_edges ? "rays at edges and corners that eight triangles share" : "rays inside of one of eight triangles",
+      "test",
+      "of t (in lengths of the direction), u and v",
+      at_edges ? ErrorKind::wrong : ErrorKind::maximum,
+      static_cast<double>(truths.size() * around)};
   panel.choices = {
       choice_of<Textbook<MoellerTrumbore<float>>>("Moeller-Trumbore float", questions, truths),
       choice_of<Textbook<MoellerTrumbore<double>>>("Moeller-Trumbore double", questions, truths),
@@ -180,8 +183,9 @@ Panel panel_of(const Effort& effort, bool at_edges) {
 }  // namespace
 
 Axis triangle_axis() {
-  return {"triangle", "how a ray is tested against a triangle",
-          [](const Effort& effort) { return std::vector{panel_of(effort, true), panel_of(effort, false)}; }};
+  return {"triangle", "how a ray is tested against a triangle", [](const Effort& effort) {
+            return std::vector{panel_of(effort, true), panel_of(effort, false)};
+          }};
 }
 
 }  // namespace sightline::bench
