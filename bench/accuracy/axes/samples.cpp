@@ -68,7 +68,7 @@ std::vector<Panel> adaptive_panels(const Effort& effort) {
 
 std::vector<Panel> cutoff_panels(const Effort& effort) {
   std::vector<Panel> all;
-  for (const std::string name : {"glass", "flake"}) {
+  for (const std::string name : {"glass", "chess"}) {
     const auto scene = picture_scene(effort, name);
     RenderSettings settings = picture_settings(effort, effort.is_quick ? 2 : 8);
     settings.cut_off = 0;
