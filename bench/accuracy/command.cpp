@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <stdexcept>
 
 #include "bench/accuracy/run.h"
 #include "bench/command_line.h"
@@ -61,6 +63,13 @@ std::string parse(int argc, const char* const* argv, AccuracyPlan& plan) {
   return {};
 }
 
+/// Refuses now what could not be written at the end.
+void require_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder)) throw std::runtime_error(folder + ": cannot be made a folder");
+}
+
 int run(int argc, const char* const* argv, const DrawCharts& draw) {
   AccuracyPlan plan;
   plan.data_dir = SIGHTLINE_DATA_DIR;
@@ -73,6 +82,7 @@ int run(int argc, const char* const* argv, const DrawCharts& draw) {
   if (!plan.charts.empty() && !draw) throw UsageError("--charts: this build draws none");
   check_json(plan.json);
   check_json(plan.html);
+  if (!plan.charts.empty()) require_folder(plan.charts);
   Progress progress;
   TablePrinter tables;
   const AccuracyReport report = run_accuracy(plan, progress, [&](const AccuracyReport& so_far, const AxisReport& axis) {

@@ -154,8 +154,8 @@ TEST(Oracle, KnowsWhatIsKnown) {
   EXPECT_EQ(true_sphere_roots({0, 0, 0}, 1, {{-3, 1, 0}, {1, 0, 0}}).size(), 1u);
   const auto torus = true_torus_roots(0.25, {{-3, 0, 0}, {1, 0, 0}});
   ASSERT_EQ(torus.size(), 4u);
-  EXPECT_EQ(torus[0].off(1.75), 0);
-  EXPECT_EQ(torus[3].off(4.25), 0);
+  EXPECT_LT(std::fabs(torus[0].off(1.75)), 0x1p-100);
+  EXPECT_LT(std::fabs(torus[3].off(4.25)), 0x1p-100);
   EXPECT_EQ(true_torus_roots(0.25, {{-3, 0, 0.25}, {1, 0, 0}}).size(), 2u);  // touches on top, twice
   const auto walk = true_walk({1, 0, 0, 1}, {1, 0, 0}, 3);                   // three quarters of a square
   EXPECT_EQ(walk[0].high, 0);

@@ -25,6 +25,7 @@ refuses 2 table "$accuracy" --json -
 refuses 2 table "$accuracy" --html -
 refuses 1 /dev/null "$accuracy" --axis box --quick --rounds 3 --json /dev/null/out.json
 refuses 1 /dev/null "$accuracy" --axis box --quick --rounds 3 --html /dev/null/out.html
+refuses 1 /dev/null "$accuracy" --axis box --quick --rounds 3 --charts /dev/null/charts
 
 run "$accuracy" --axis box,quadratic --quick --rounds 3 --json out.json --html out.html --charts charts
 expect_exit 0

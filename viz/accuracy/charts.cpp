@@ -64,7 +64,7 @@ class NamedPoints : public vtkPlotPoints {
     return true;
   }
 };
-vtkStandardNewMacro(NamedPoints);
+vtkStandardNewMacro(NamedPoints)
 
 struct Mark {
   double error, nanoseconds;
