@@ -23,7 +23,7 @@ h1 { font-size: 1.6rem; margin: 0 0 .3rem; } h2 { margin: 2.2rem 0 .2rem; font-s
 h3 { margin: 1.2rem 0 0; font-size: 1rem; } p { margin: .2rem 0 .6rem; color: var(--soft); max-width: 60rem; }
 nav a { color: var(--front); margin-right: .9rem; } a:focus-visible, .point:focus-visible { outline: 2px solid var(--front); }
 .panel { display: grid; grid-template-columns: minmax(0, 1fr); gap: .6rem; margin-bottom: 1.6rem; }
-svg { width: 100%; height: auto; background: var(--band); border-radius: 6px; }
+svg { width: 100%; min-width: 680px; height: auto; background: var(--band); border-radius: 6px; }
 svg text { fill: var(--ink); font-size: 12px; } svg .soft { fill: var(--soft); }
 .point text { paint-order: stroke; stroke: var(--band); stroke-width: 4px; }
 svg .grid { stroke: var(--faint); stroke-width: 1; } svg .line { fill: none; stroke: var(--front); stroke-width: 1.6; }
@@ -62,15 +62,17 @@ const error_of = (panel, choice) => panel.front_by === 'wrong decisions' ? choic
   panel.front_by === 'RMS error' ? choice.rms_error : choice.maximum_error;
 const digits = (x, n = 3) => x === null ? '' : x === 0 ? '0' : Math.abs(x) >= 1e6 || Math.abs(x) < 1e-2 ?
   x.toExponential(1) : String(+x.toPrecision(n));
-const time = (seconds) => { const ns = seconds * 1e9;
-  return ns >= 1e6 ? digits(ns / 1e6) + ' ms' : ns >= 1e4 ? digits(ns / 1e3) + ' \u00b5s' : digits(ns) + ' ns'; };
+// In units that suit `like`, so that an interval has one unit.
+const time = (seconds, like = seconds) => { const ns = seconds * 1e9, size = like * 1e9;
+  return size >= 1e6 ? digits(ns / 1e6) + ' ms' : size >= 1e4 ? digits(ns / 1e3) + ' \u00b5s' : digits(ns) + ' ns'; };
+const interval = (s) => `${time(s.low, s.median)} to ${time(s.high, s.median)}`;
 const standing = (choice) => choice.place === 'dominated' ?
   `${digits(choice.time_over_that.median)}x the time of ${choice.beside}` :
   choice.place === 'not resolved' ? `not resolved: ${choice.beside}` : choice.place;
 const told = (panel, choice) => [choice.name,
   choice.maximum_error === null ? '' : `error: ${digits(choice.maximum_error)} at most, ${digits(choice.rms_error)} RMS ${panel.error_unit}`,
   choice.wrong_per_million === null ? '' : `wrong: ${digits(choice.wrong_per_million)} per million decisions`,
-  `time: ${time(choice.seconds.median)} per ${panel.unit}, ${time(choice.seconds.low)} to ${time(choice.seconds.high)}`,
+  `time: ${time(choice.seconds.median)} per ${panel.unit}, ${interval(choice.seconds)}`,
   ...Object.entries(choice.extras).map(([name, value]) => `${name}: ${digits(value, 4)}`), standing(choice)]
   .filter((line) => line).join('\n');
 const show_tip = (text, x, y) => {
@@ -83,7 +85,7 @@ const hide_tip = () => { tip.style.visibility = 'hidden', tip.textContent = ''; 
 function chart(panel, parent, rows) {
   const width = 960, height = 360, left = 76, right = 24, top = 18, bottom = 52, zero = 70;
   const shown = panel.choices.filter((c) => error_of(panel, c) !== null);
-  const svg = make('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img' }, parent);
+  const svg = make('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img' }, make('div', { class: 'wide' }, parent));
   make('title', {}, svg, `${panel.name}: error and time of ${shown.length} choices`);
   const errors = shown.map((c) => error_of(panel, c)), some = errors.filter((e) => e > 0);
   const has_zero = errors.some((e) => e === 0), from = left + (has_zero ? zero : 0);
@@ -149,7 +151,7 @@ function table(panel) {
   for (const c of panel.choices) {
     const row = make('tr', { class: kind_of[c.place] }, body);
     for (const text of [c.name, digits(c.maximum_error, 2), digits(c.rms_error, 2), digits(c.wrong_per_million),
-      time(c.seconds.median), `${time(c.seconds.low)} to ${time(c.seconds.high)}`, ...extras.map((e) => digits(c.extras[e] ?? null, 4))])
+      time(c.seconds.median), interval(c.seconds), ...extras.map((e) => digits(c.extras[e] ?? null, 4))])
       make('td', {}, row, text);
     make('td', { class: 'place' }, row, standing(c));
     rows.set(c.name, row);

@@ -43,9 +43,9 @@ constexpr int chart_width = 960, chart_height = 600;
 class NamedPoints : public vtkPlotPoints {
  public:
   static NamedPoints* New();
-  vtkTypeMacro(NamedPoints, vtkPlotPoints);
+  vtkTypeMacro(NamedPoints, vtkPlotPoints)
 
-  std::vector<std::string> names;
+      std::vector<std::string> names;
   int font_size = 12;
 
   bool Paint(vtkContext2D* painter) override {
@@ -66,7 +66,7 @@ class NamedPoints : public vtkPlotPoints {
 };
 vtkStandardNewMacro(NamedPoints)
 
-struct Mark {
+    struct Mark {
   double error, nanoseconds;
   std::string name;
 };

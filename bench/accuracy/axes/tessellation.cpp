@@ -8,6 +8,7 @@
 #include "bench/accuracy/oracle.h"
 #include "bench/text_table.h"
 #include "sightline/csg/face_roots.h"
+#include "sightline/csg/solid_set.h"
 #include "sightline/query/tracer.h"
 #include "sightline/shape/sphere.h"
 
@@ -36,7 +37,9 @@ std::shared_ptr<const TriangleMesh> icosphere(int levels) {
   for (std::uint32_t i = 0; i < 12; ++i) {
     for (std::uint32_t k = i + 1; k < 12; ++k) {
       for (std::uint32_t l = k + 1; l < 12; ++l) {
-        if (are_neighbours(i, k) && are_neighbours(k, l) && are_neighbours(i, l)) faces.push_back({i, k, l});
+        if (!are_neighbours(i, k) || !are_neighbours(k, l) || !are_neighbours(i, l)) continue;
+        const bool faces_out = glm::dot(points[i], glm::cross(points[k], points[l])) > 0;
+        faces.push_back(faces_out ? TriangleMesh::Corners{i, k, l} : TriangleMesh::Corners{i, l, k});
       }
     }
   }
@@ -97,6 +100,62 @@ double first_crossing(const Ray<double>& ray) {
   return list.count == 0 ? -1 : list.roots[0].t;
 }
 
+// ---- A ball with a hollow
+
+const solid::Sphere whole{Vec3d(0), 1}, hollow{Vec3d(0.625, 0.25, 0.25), 0.75};
+
+SolidShape faceted(const solid::Sphere& sphere, int levels) {
+  const auto mesh = icosphere(levels);
+  std::vector<Vec3d> points;
+  for (const Vec3f& p : mesh->positions()) points.push_back(sphere.center + sphere.radius * Vec3d(p));
+  return std::make_shared<const ClosedMesh>(std::move(points), mesh->triangles());
+}
+
+/// Where the ray first enters the ball outside of the hollow, or comes to the ball's rest on the hollow's far side.
+std::vector<True> true_first_crossing(const Ray<double>& ray) {
+  const auto of_whole = true_sphere_roots(whole.center, whole.radius, ray);
+  const auto of_hollow = true_sphere_roots(hollow.center, hollow.radius, ray);
+  if (of_whole.size() < 2) return {};
+  if (of_hollow.size() < 2 || of_whole[0] < of_hollow[0] || of_hollow[1] < of_whole[0]) return {of_whole[0]};
+  if (of_hollow[1] < of_whole[1]) return {of_hollow[1]};
+  return {};
+}
+
+template <Level level>
+Choice solid_choice(const std::string& name, const SolidShape& ball, const SolidShape& hole,
+                    const std::shared_ptr<const Rays>& rays, const std::vector<std::vector<True>>& truths,
+                    double triangles) {
+  std::vector<std::shared_ptr<const Solid>> solids{std::make_shared<const Solid>(SolidTree(ball) - SolidTree(hole))};
+  const auto set = std::make_shared<const SolidSet<level>>(std::move(solids));
+  Choice choice = analytic(name, rays, truths, 0, [set](const Ray<double>& ray) {
+    double first = -1;
+    set->prepare(ray).for_each_crossing((*set)[0], [&](const Crossing& crossing) {
+      if (first < 0 && crossing.t > 0) first = crossing.t;
+    });
+    return first;
+  });
+  choice.extras = {{"triangles", triangles}};
+  return choice;
+}
+
+Panel solid_panel(const Effort& effort, const std::shared_ptr<const Rays>& rays) {
+  std::vector<std::vector<True>> truths;
+  for (const Ray<float>& ray : *rays) truths.push_back(true_first_crossing(to_double(ray)));
+  Panel panel{"ball - ball",  "a solid of two spheres, and of two closed meshes; wrong: met or missed otherwise",
+              "ray",          "of the hit point along the ray, in radii",
+              ErrorKind::rms, static_cast<double>(rays->size())};
+  for (int levels = 1; levels <= (effort.is_quick ? 3 : 5); ++levels) {
+    const double triangles = 40 * std::pow(4.0, levels);
+    panel.choices.push_back(solid_choice<Level::watertight>(plural(static_cast<std::size_t>(triangles), "triangle"),
+                                                            faceted(whole, levels), faceted(hollow, levels), rays,
+                                                            truths, triangles));
+  }
+  panel.choices.push_back(solid_choice<Level::fast>("spheres, fast", whole, hollow, rays, truths, 0));
+  panel.choices.push_back(solid_choice<Level::watertight>("spheres, watertight", whole, hollow, rays, truths, 0));
+  panel.choices.push_back(solid_choice<Level::exact>("spheres, exact", whole, hollow, rays, truths, 0));
+  return panel;
+}
+
 std::vector<Panel> panels(const Effort& effort) {
   Chance chance(effort.seed);
   auto all = std::make_shared<Rays>();
@@ -134,7 +193,7 @@ std::vector<Panel> panels(const Effort& effort) {
       analytic("face of a solid, fast", rays, truths, sizeof(solid::Sphere), first_crossing<Level::fast>));
   panel.choices.push_back(
       analytic("face of a solid, watertight", rays, truths, sizeof(solid::Sphere), first_crossing<Level::watertight>));
-  return {panel};
+  return {panel, solid_panel(effort, rays)};
 }
 
 }  // namespace
