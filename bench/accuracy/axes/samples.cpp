@@ -31,7 +31,7 @@ std::vector<Panel> sample_panels(const Effort& effort) {
   std::vector<Panel> all;
   for (const std::string name : {"shadows", "glossy"}) {
     const auto scene = picture_scene(effort, name);
-    const FilmState truth = reference(effort, scene, effort.is_quick ? 256 : 2048);
+    const FilmState truth = reference(effort, scene, effort.is_quick ? 256 : 1024);
     Panel panel = panel_of(effort, name, "samples of each pixel of the scene " + name, truth);
     for (std::uint32_t samples = 1; samples <= (effort.is_quick ? 16u : 128u); samples *= 2) {
       panel.choices.push_back(
@@ -44,7 +44,7 @@ std::vector<Panel> sample_panels(const Effort& effort) {
 
 std::vector<Panel> adaptive_panels(const Effort& effort) {
   const auto scene = picture_scene(effort, "shadows");
-  const FilmState truth = reference(effort, scene, effort.is_quick ? 256 : 2048);
+  const FilmState truth = reference(effort, scene, effort.is_quick ? 256 : 1024);
   const std::uint32_t most = effort.is_quick ? 32 : 256;
   Panel bounds = panel_of(effort, "error bounds", "as many samples as each pixel needs, and as many of each", truth);
   for (const double bound : {1.0 / 8, 1.0 / 16, 1.0 / 32, 1.0 / 64, 1.0 / 128}) {
