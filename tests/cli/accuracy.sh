@@ -31,6 +31,8 @@ run "$accuracy" --axis box,quadratic --quick --rounds 3 --json out.json --html o
 expect_exit 0
 for word in 'Ize, 2 ulp' 'Kahan fma double' 'wrong/million' 'A/A' 'ns/test'; do expect_prints "$word"; done
 for file in out.json out.html charts/box-1.png charts/box-1.svg charts/quadratic-3.png; do expect_file "$file"; done
+# Marks within the picture: an ellipse for each on the front.
+check 'marks in the SVG' grep -q -E '<ellipse|<circle [^>]*cx="[0-9]{2,3}' "$work/charts/box-1.svg"
 check 'both axes in the JSON' python3 - "$work/out.json" <<'PYTHON'
 import json, sys
 report = json.load(open(sys.argv[1]))

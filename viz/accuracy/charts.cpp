@@ -6,6 +6,7 @@
 #include <vtkChartXY.h>
 #include <vtkContext2D.h>
 #include <vtkContextActor.h>
+#include <vtkContextItem.h>
 #include <vtkContextScene.h>
 #include <vtkDoubleArray.h>
 #include <vtkObjectFactory.h>
@@ -84,7 +85,66 @@ New<vtkTable> table_of(const std::vector<Mark>& marks, const std::string& name) 
   return table;
 }
 
-class FrontChart {
+/// Marks and line over a chart, in pixels: VTK 9.1 writes what is scaled to an SVG file in the wrong place.
+class DrawnMarks : public vtkContextItem {
+ public:
+  static DrawnMarks* New();
+  vtkTypeMacro(DrawnMarks, vtkContextItem)
+
+      struct Group {
+    std::vector<Mark> marks;
+    Rgb color;
+    int style;
+  };
+  vtkChartXY* chart = nullptr;
+  std::vector<Mark> line;
+  std::vector<Group> groups;
+
+  bool Paint(vtkContext2D* painter) override {
+    std::vector<float> points;
+    for (const Mark& mark : line) {
+      points.push_back(pixel(vtkAxis::BOTTOM, mark.error));
+      points.push_back(pixel(vtkAxis::LEFT, mark.nanoseconds));
+    }
+    painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
+    painter->GetPen()->SetWidth(1.5f);
+    painter->GetPen()->SetColorF(blue[0], blue[1], blue[2]);
+    if (line.size() > 1) painter->DrawPoly(points.data(), static_cast<int>(line.size()));
+    painter->GetTextProp()->SetFontSize(12);
+    painter->GetTextProp()->SetColor(ink[0], ink[1], ink[2]);
+    painter->GetTextProp()->SetJustificationToLeft();
+    painter->GetTextProp()->SetVerticalJustificationToBottom();
+    for (const Group& group : groups) {
+      painter->GetPen()->SetColorF(group.color[0], group.color[1], group.color[2]);
+      painter->GetBrush()->SetColorF(group.color[0], group.color[1], group.color[2]);
+      for (const Mark& mark : group.marks) draw(*painter, group.style, mark);
+    }
+    return true;
+  }
+
+ private:
+  float pixel(int which, double value) const {
+    vtkAxis& axis = *chart->GetAxis(which);
+    const int along = which == vtkAxis::BOTTOM ? 0 : 1;
+    const double low = std::log(axis.GetUnscaledMinimum()), high = std::log(axis.GetUnscaledMaximum());
+    const double from = axis.GetPoint1()[along], to = axis.GetPoint2()[along];
+    return static_cast<float>(from + (std::log(value) - low) / (high - low) * (to - from));
+  }
+  void draw(vtkContext2D& painter, int style, const Mark& mark) const {
+    const float x = pixel(vtkAxis::BOTTOM, mark.error), y = pixel(vtkAxis::LEFT, mark.nanoseconds), r = 4.5f;
+    if (style == vtkPlotPoints::CIRCLE) {
+      painter.DrawEllipse(x, y, r, r);
+    } else if (style == vtkPlotPoints::SQUARE) {
+      painter.DrawRect(x - r, y - r, 2 * r, 2 * r);
+    } else {
+      painter.DrawQuad(x - r, y, x, y + r, x + r, y, x, y - r);
+    }
+    painter.DrawString(x + 8, y + 2, mark.name);
+  }
+};
+vtkStandardNewMacro(DrawnMarks)
+
+    class FrontChart {
  public:
   FrontChart(const bench::AxisReport& axis, const bench::PanelReport& panel, int scale)
       : panel_(panel), scale_(scale), least_(least_error(panel)) {
@@ -107,11 +167,14 @@ class FrontChart {
     set_axis(vtkAxis::LEFT, "ns per " + panel.unit, false);
   }
 
-  New<vtkRenderer> renderer() const {
+  /// With what SVG files need besides.
+  New<vtkRenderer> renderer(bool is_for_svg = false) const {
     auto renderer = New<vtkRenderer>::New();
     renderer->SetBackground(1, 1, 1);
     auto actor = New<vtkContextActor>::New();
     actor->GetScene()->AddItem(chart_);
+    drawn_->chart = chart_;
+    if (is_for_svg) actor->GetScene()->AddItem(drawn_);
     actor->GetScene()->SetRenderer(renderer);
     renderer->AddActor(actor);
     return renderer;
@@ -150,6 +213,7 @@ class FrontChart {
     plot->SetInputData(table_of(marks, "front"), 0, 1);
     plot->GetPen()->SetColorF(blue[0], blue[1], blue[2]);
     plot->SetWidth(static_cast<float>(1.5 * scale_));
+    drawn_->line = std::move(marks);
   }
 
   void add_marks(bench::Place place, const std::string& name, const Rgb& color, int style) {
@@ -166,6 +230,7 @@ class FrontChart {
     plot->SetMarkerSize(static_cast<float>(9 * scale_));
     plot->GetPen()->SetColorF(color[0], color[1], color[2]);
     chart_->AddPlot(plot);
+    drawn_->groups.push_back({std::move(marks), color, style});
   }
 
   void set_axis(int which, const std::string& title, bool is_error) {
@@ -193,6 +258,7 @@ class FrontChart {
   int scale_;
   double least_;
   New<vtkChartXY> chart_ = New<vtkChartXY>::New();
+  New<DrawnMarks> drawn_ = New<DrawnMarks>::New();
 };
 
 void write_svg(const bench::AxisReport& axis, const bench::PanelReport& panel, const std::filesystem::path& path) {
@@ -201,7 +267,7 @@ void write_svg(const bench::AxisReport& axis, const bench::PanelReport& panel, c
   window->SetMultiSamples(0);
   window->SetSize(chart_width, chart_height);
   const FrontChart chart(axis, panel, 1);
-  window->AddRenderer(chart.renderer());
+  window->AddRenderer(chart.renderer(true));
   window->Render();
   auto exporter = New<vtkSVGExporter>::New();
   exporter->SetRenderWindow(window);
