@@ -31,6 +31,7 @@ for line in "${commands[@]}"; do
     './sightline probe ' | './sightline noise ') words=("${words[@]/#data\//$root/data/}") ;;
     './sightline stability ') [[ $line == *--explain* ]] || words+=(--group build) ;;
     './sightline bench ') [[ $line == *--quick* ]] || words+=(--quick) ;;
+    './sightline accuracy ') [[ $line == *--axis* ]] || words+=(--axis box --quick --rounds 3) ;;
   esac
   for word in "${words[@]:1}"; do
     [[ $word != */*.* || $word == /* ]] || mkdir -p "$work/$(dirname -- "$word")"
