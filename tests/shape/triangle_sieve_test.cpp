@@ -94,7 +94,7 @@ template <class T>
 int accepted_and_kept(const Block& block, const Ray<T>& ray) {
   const TriangleRay exact(to_double(ray), block.bounds());
   const TriangleSieve sieve(ray, block.bounds());
-  const std::uint32_t kept = sieve.sift(block.view(), {-infinity, infinity}).may_cross;
+  const std::uint32_t kept = sieve.may_cross(block.view());
   EXPECT_LT(kept, 1u << block.count());
   int accepted = 0;
   for (std::uint32_t lane = 0; lane < block.count(); ++lane) {
@@ -103,9 +103,6 @@ int accepted_and_kept(const Block& block, const Ray<T>& ray) {
     accepted += is_hit;
     if (!is_hit) continue;
     EXPECT_TRUE(kept >> lane & 1);
-    // The shortest range that holds the crossing as it is reported.
-    const T t = static_cast<T>(crossing.t);
-    EXPECT_TRUE(sieve.sift(block.view(), {round_down(next_down(t)), round_up(t)}).may_cross >> lane & 1);
   }
   return accepted;
 }
@@ -122,42 +119,6 @@ TEST(TriangleSieve, KeepsWhatTheExactTestAccepts) {
   EXPECT_GT(accepted, 10'000);
 }
 
-/// What the sieve is sure of is a hit as it is reported, at the shortest ranges that the sieve is sure of, too.
-template <class T>
-int sure_of(const Block& block, const Ray<T>& ray) {
-  const TriangleRay exact(to_double(ray), block.bounds());
-  const TriangleSieve sieve(ray, block.bounds());
-  int sure = 0;
-  for (std::uint32_t lane = 0; lane < block.count(); ++lane) {
-    Crossing crossing;
-    const bool is_hit = exact.intersect(block.triangles[lane], crossing);
-    const T t = static_cast<T>(crossing.t);
-    for (const float share : {1.0f, 1e-1f, 1e-3f, 1e-5f, 1e-6f, 3e-7f, 1e-7f, 0.0f}) {
-      const float slack = share * std::fabs(static_cast<float>(t));
-      const float lo = static_cast<float>(t) - slack, hi = static_cast<float>(t) + slack;
-      if (!(sieve.template sift<true>(block.view(), {lo, hi, lo, hi}).crosses >> lane & 1)) continue;
-      ++sure;
-      EXPECT_TRUE(is_hit && T(lo) < t && t <= T(hi)) << share;
-    }
-    const float t_float = static_cast<float>(t);
-    if (!(t_float < infinity)) continue;
-    EXPECT_FALSE(is_hit &&
-                 sieve.template sift<true>(block.view(), {t_float, infinity, t_float, infinity}).crosses >> lane & 1);
-  }
-  return sure;
-}
-
-TEST(TriangleSieve, IsSureOfHitsAlone) {
-  int sure = 0;
-  for_each_case(53, [&](const Block& block, const Ray<float>& ray) {
-    sure += sure_of(block, ray);
-    Ray<double> wide = to_double(ray);
-    wide.origin += 1e-9 * wide.direction;
-    sure += sure_of(block, wide);
-  });
-  EXPECT_GT(sure, 20'000);
-}
-
 TEST(TriangleSieve, DropsWhatIsMissed) {
   Random random(52);
   int kept = 0, accepted = 0;
@@ -165,7 +126,7 @@ TEST(TriangleSieve, DropsWhatIsMissed) {
     const Block block = random_block(random, 0.4f, 1, Vec3f(0));
     const Ray<double> ray = to_double(Ray<float>{random_point(random, -1, 1), random_point(random, -1, 1)});
     const TriangleRay exact(ray, block.bounds());
-    kept += std::popcount(TriangleSieve(ray, block.bounds()).sift(block.view(), {-infinity, infinity}).may_cross);
+    kept += std::popcount(TriangleSieve(ray, block.bounds()).may_cross(block.view()));
     for (const Triangle& triangle : block.triangles) {
       Crossing crossing;
       accepted += exact.intersect(triangle, crossing);
@@ -173,27 +134,6 @@ TEST(TriangleSieve, DropsWhatIsMissed) {
   }
   EXPECT_GT(accepted, 20);
   EXPECT_LE(kept, accepted + 2);
-}
-
-TEST(TriangleSieve, DropsWhatIsOutOfRange) {
-  Random random(54);
-  int accepted = 0, kept = 0;
-  for (int round = 0; round < 10'000; ++round) {
-    const Block block = random_block(random, round % 2 == 0 ? 0.5f : 0.01f, 1, Vec3f(0));
-    const Ray<float> ray = ray_at(random, block.triangles[round % block.count()], 4);
-    const TriangleRay exact(to_double(ray), block.bounds());
-    const TriangleSieve sieve(ray, block.bounds());
-    for (std::uint32_t lane = 0; lane < block.count(); ++lane) {
-      Crossing crossing;
-      if (!exact.intersect(block.triangles[lane], crossing)) continue;
-      ++accepted;
-      const float t = static_cast<float>(crossing.t), away = 0.01f * std::fabs(t);
-      kept += (sieve.sift(block.view(), {t + away, infinity}).may_cross >> lane & 1) +
-              (sieve.sift(block.view(), {-infinity, t - away}).may_cross >> lane & 1);
-    }
-  }
-  EXPECT_GT(accepted, 3000);
-  EXPECT_LT(kept, accepted / 20);
 }
 
 TEST(TriangleSieve, CrossesWhereTheExactTestDoes) {

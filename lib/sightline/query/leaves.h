@@ -14,7 +14,6 @@
 #include "sightline/accel/accelerator.h"
 #include "sightline/accel/large_pages.h"
 #include "sightline/math/level.h"
-#include "sightline/math/rounding.h"
 #include "sightline/shape/mesh.h"
 #include "sightline/shape/shapes.h"
 #include "sightline/shape/triangle_sieve.h"
@@ -104,27 +103,6 @@ class TriangleBlocks {
   LargeBuffer<float> floats_;
 };
 
-namespace detail {
-
-/// Whether a crossing at t, in the query's precision, is a hit.
-template <class T>
-bool is_in_range(const Ray<T>& ray, T t) {
-  return t > ray.t_min && t <= ray.t_max && t < std::numeric_limits<T>::infinity();
-}
-
-/// The crossing's parameter in the query's precision, with one zero, not two.
-template <class T>
-T parameter(const Crossing& crossing) {
-  return static_cast<T>(crossing.t) + T(0);
-}
-
-inline float below(float t) { return t; }
-inline float below(double t) { return round_down(t); }
-inline float above(float t) { return t; }
-inline float above(double t) { return round_up(t); }
-
-}  // namespace detail
-
 /// A ray as triangles are tested with. Each test is made ready when the first triangles need it: many rays meet none.
 /// Refers to the ray, and to bounds of all triangles.
 template <class T>
@@ -141,8 +119,6 @@ class PreparedTriangles {
     return *exact_;
   }
   const Ray<T>& ray() const { return ray_; }
-  /// Not above the ray's.
-  float t_min() const { return detail::below(ray_.t_min); }
 
  private:
   const Ray<T>& ray_;
@@ -171,10 +147,10 @@ template <Level level, class T, class See>
   static_assert(level != Level::fast || std::is_same_v<T, float>, "fast is a level of float rays");
   std::uint32_t unsure;
   if constexpr (level == Level::watertight) {
-    unsure = ray.sieve().sift(block, {ray.t_min(), above(far)}).may_cross;
+    unsure = ray.sieve().may_cross(block);
   } else {
     TriangleSieve::Crossings found;
-    ray.sieve().cross(block, ray.t_min(), far, found);
+    ray.sieve().cross(block, ray.ray().t_min, far, found);
     for (std::uint32_t lanes = found.hits; lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
       if (!see(block.id(lane), Crossing{found.t[lane], found.u[lane], found.v[lane]})) return false;
@@ -198,26 +174,6 @@ class PackedLeaves {
   }
 
   void fetch(LeafRange leaf) const { blocks_.fetch(leaf); }
-
-  /// Whether any of the leaf's triangles is crossed within the ray's range: mostly float is enough to be sure.
-  template <class T>
-  [[gnu::always_inline]] bool has_crossing(PreparedTriangles<T>& ray, LeafRange leaf) const
-      requires(level == Level::watertight) {
-    const T t_min = ray.ray().t_min, t_max = ray.ray().t_max;
-    const TriangleSieve::Range range{detail::below(t_min), detail::above(t_max), detail::above(t_min),
-                                     detail::below(t_max)};
-    while (leaf.count > 0) {
-      const TriangleBlock block = blocks_[TriangleBlocks::next_block(leaf)];
-      const TriangleSieve::Sifted sifted = ray.sieve().template sift<true>(block, range);
-      if (sifted.crosses != 0) return true;
-      if (sifted.may_cross == 0) continue;
-      const auto goes_on = [&](std::uint32_t, const Crossing& crossing) {
-        return !detail::is_in_range(ray.ray(), detail::parameter<T>(crossing));
-      };
-      if (!detail::decide(ray, block, sifted.may_cross, goes_on)) return true;
-    }
-    return false;
-  }
 
   template <class T, class See>
   [[gnu::always_inline]] void for_each_crossing(PreparedTriangles<T>& ray, LeafRange leaf, T far, See&& see) const {

@@ -16,6 +16,18 @@
 namespace sightline {
 namespace detail {
 
+/// Whether a crossing at t, in the query's precision, is a hit.
+template <class T>
+bool is_in_range(const Ray<T>& ray, T t) {
+  return t > ray.t_min && t <= ray.t_max && t < std::numeric_limits<T>::infinity();
+}
+
+/// The crossing's parameter in the query's precision, with one zero, not two.
+template <class T>
+T parameter(const Crossing& crossing) {
+  return static_cast<T>(crossing.t) + T(0);
+}
+
 /// Leaves whose shapes have several crossings may tell the first alone, which is all that one hit needs.
 template <class Leaves, class Prepared, class T, class See>
 [[gnu::always_inline]] inline void for_first_crossings(const Leaves& leaves, Prepared& ray, LeafRange leaf, T far,

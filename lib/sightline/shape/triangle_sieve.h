@@ -73,66 +73,22 @@ class TriangleSieve {
   template <class T>
   TriangleSieve(const Ray<T>& ray, const Aabb& bounds);
 
-  /// The ends of a ray's range as floats: not within it for what may be crossed, not beyond it for what is.
-  struct Range {
-    float below_lo, above_hi;
-    float above_lo = 0, below_hi = 0;
-  };
-  /// A bit a lane.
-  struct Sifted {
-    std::uint32_t may_cross = 0;  ///< Set where the ray may cross the triangle with lo < t <= hi; always where it does.
-    std::uint32_t crosses = 0;    ///< Of those, set where it surely does, and t is reported within the range.
-  };
-
-  /// `crosses` is 0 unless it is asked for.
-  ///   E5  With B the bound of E2, s the sum of the edge functions and D the largest distance of a vertex from the
-  ///   first
-  ///       one along the direction's largest component: where 8 B <= |s|, a crossing lies, along that component,
-  ///       within 4.5 e + 5 B D / |s| of height / s. Edge functions of a crossing have one sign, so each weight is off
-  ///       by B / |s| and their sum by three times that, which moves the mean by 5 B D / |s|; vertices are off by e / 2
-  ///       each, and rounding adds 13 u L. The slack is 7 e, for the products with the slope and for t's own rounding:
-  ///       it is some 40 u t, so that a t that far within the range is still there when it is rounded to float.
-  ///   E6  Most triangles are passed by farther than any error, which takes less to tell. With F = 6.2 u R + 2.1 o, L
-  ///   is
-  ///       at most R and M at most 2.01 R, so that E2's bound is at most 14 F (1.001 M + F), and its square at most
-  ///       400 F^2 (q + F^2), q being the sum of the squares of the sheared coordinates. 2^-126 covers what underflows.
-  template <bool asks_sure = false>
-  [[gnu::always_inline]] Sifted sift(const TriangleBlock& block, const Range& range) const {
-    Sifted sifted;
+  /// One bit a lane: set where the line of the ray may cross the triangle, and always set where it does.
+  ///   E5  That a triangle is passed by outside takes less to tell than E2, and is true of most. With F = 6.2 u R +
+  ///       2.1 o, L is at most R and M at most 2.01 R, so that E2's bound is at most 14 F (1.001 M + F), and its square
+  ///       at most 400 F^2 (q + F^2), q being the sum of the squares of the sheared coordinates. 2^-126 covers what
+  ///       underflows. Beside the two or three triangles that are met this keeps one of a hundred, and what t is, the
+  ///       exact test has to say anyway.
+  [[gnu::always_inline]] std::uint32_t may_cross(const TriangleBlock& block) const {
+    std::uint32_t bits = 0;
     for (std::uint32_t lane = 0; lane < lanes_of(block); lane += step) {
       const Edges e = edges(block, lane);
-      const V lowest = e.lowest(), highest = e.highest();
-      const V apart = hn::Min(hn::Neg(lowest), highest);
+      const V apart = hn::Min(hn::Neg(e.lowest()), e.highest());
       const M is_outside = hn::Gt(hn::Mul(apart, hn::Abs(apart)),
                                   hn::MulAdd(hn::Set(d, squares_share_), e.squares(), hn::Set(d, least_square_)));
-      const std::uint32_t rest = block.mask() >> lane & ~bits_of(d, is_outside);
-      if (rest == 0) continue;
-
-      const V size = e.largest(), u = hn::Set(d, unit_roundoff);
-      const V error = hn::MulAdd(hn::Mul(hn::Set(d, 6.1f), u), hn::Add(size, e.farthest()), hn::Set(d, error_));  // E1
-      const V m = hn::Add(size, error);
-      const V bound = hn::Mul(hn::Mul(hn::Set(d, 4.1f), m), hn::MulAdd(u, m, error));  // E2
-      const M is_beside = hn::And(hn::Lt(lowest, hn::Neg(bound)), hn::Gt(highest, bound));
-      const V sum = e.sum(), total = hn::Abs(sum), scale = hn::Set(d, slopes_[2]);
-      const V depth = hn::Max(hn::Abs(hn::Sub(e.bz, e.az)), hn::Abs(hn::Sub(e.cz, e.az)));
-      const V t = hn::Mul(hn::Div(e.height(), sum), scale);
-      const V spread = hn::Div(hn::Mul(hn::Mul(hn::Set(d, 5.5f), bound), hn::Mul(depth, hn::Abs(scale))), total);
-      const V slack = hn::MulAdd(error, hn::Set(d, t_slack_), spread);
-      const V earliest = hn::Sub(t, slack), latest = hn::Add(t, slack);
-      const M is_told = hn::Ge(total, hn::Max(hn::Mul(hn::Set(d, 8), bound), hn::Set(d, smallest_sum)));
-      const M is_elsewhere =  // false where a NaN says nothing
-          hn::And(is_told,
-                  hn::Or(hn::Lt(latest, hn::Set(d, range.below_lo)), hn::Gt(earliest, hn::Set(d, range.above_hi))));
-      sifted.may_cross |= (rest & ~bits_of(d, hn::Or(is_beside, is_elsewhere))) << lane;
-      if constexpr (asks_sure) {
-        const M is_inside = hn::Or(hn::Gt(lowest, bound), hn::Lt(highest, hn::Neg(bound)));
-        const M is_within =
-            hn::And(hn::Gt(earliest, hn::Set(d, range.above_lo)),
-                    hn::Le(latest, hn::Set(d, std::min(range.below_hi, std::numeric_limits<float>::max()))));
-        sifted.crosses |= (rest & bits_of(d, hn::And(is_told, hn::And(is_inside, is_within)))) << lane;
-      }
+      bits |= bits_of(d, hn::Not(is_outside)) << lane;
     }
-    return sifted;
+    return bits & block.mask();
   }
 
   /// What `cross` found, by lanes.
@@ -151,7 +107,7 @@ class TriangleSieve {
   [[gnu::always_inline]] void cross(const TriangleBlock& block, float t_min, float far, Crossings& found) const {
     if (!is_ordinary_) [[unlikely]] {
       found.hits = 0;
-      found.unsure = sift(block, {t_min, far}).may_cross;
+      found.unsure = may_cross(block);
       return;
     }
     std::uint32_t hits = 0, unsure = 0;
@@ -199,14 +155,11 @@ class TriangleSieve {
     /// Along the direction's largest component, times the sum of the edge functions.
     V height() const { return hn::MulAdd(u, az, hn::MulAdd(v, bz, hn::Mul(w, cz))); }
 
-    /// q of E6.
+    /// q of E5.
     V squares() const {
       const V a = hn::MulAdd(ax, ax, hn::Mul(ay, ay)), b = hn::MulAdd(bx, bx, hn::Mul(by, by));
       return hn::Add(hn::Add(a, b), hn::MulAdd(cx, cx, hn::Mul(cy, cy)));
     }
-
-    /// L of E1.
-    V farthest() const { return hn::Max(hn::Abs(az), hn::Max(hn::Abs(bz), hn::Abs(cz))); }
 
     /// M of E1.
     V largest() const {
@@ -243,9 +196,7 @@ class TriangleSieve {
   float origin_[4];  ///< In the order of axes_.
   float slopes_[4];  ///< Of the first two axes against the last, and 1 / the last of the direction.
   int axes_[3];
-  float error_;                         ///< What e of E1 is beyond M and L.
-  float squares_share_, least_square_;  ///< 400 F^2, and that times F^2 (E6).
-  float t_slack_;                       ///< 7 of E5 as a parameter; infinite where that would say nothing.
+  float squares_share_, least_square_;  ///< 400 F^2, and that times F^2 (E5).
   float reach_;                         ///< R.
   bool is_ordinary_;                    ///< Nothing that `cross` computes overflows or underflows.
 };
@@ -275,16 +226,13 @@ template <class T>
     }
   }
   reach_ = static_cast<float>(std::min<T>(reach, largest)) * 0x1.00001p+0f;  // above what was rounded
-  error_ = is_in_range ? std::max(2.1f * static_cast<float>(moved), 0x1p-60f)
-                       : std::numeric_limits<float>::infinity();  // E3
-  const float most_error = error_ + 6.2f * unit_roundoff * reach_;
+  const float moved_error = is_in_range ? std::max(2.1f * static_cast<float>(moved), 0x1p-60f)
+                                        : std::numeric_limits<float>::infinity();  // E3
+  const float most_error = moved_error + 6.2f * unit_roundoff * reach_;
   squares_share_ = 400 * most_error * most_error;
   least_square_ = std::max(squares_share_ * most_error * most_error, 0x1p-126f);
   const T speed = std::fabs(along);
   const bool is_moderate = (reach >= smallest) & is_in_range & (speed <= largest) & (speed >= 1 / largest);
-  constexpr float largest_cubed = 0x1p+40f;  // heights are cubes
-  t_slack_ =
-      is_moderate & (reach <= largest_cubed) ? 7.1f * std::fabs(slopes_[2]) : std::numeric_limits<float>::infinity();
   is_ordinary_ = (moved == 0) & is_moderate;
 }
 
