@@ -115,7 +115,7 @@ class PreparedTriangles {
     return *sieve_;
   }
   const TriangleRay& exact() {
-    if (!exact_) exact_.emplace(to_double(ray_), bounds_);
+    if (!exact_) exact_.emplace(ray_, sieve().last_axis(), sieve().reach());
     return *exact_;
   }
   const Ray<T>& ray() const { return ray_; }
@@ -135,7 +135,9 @@ template <class T, class See>
   for (; lanes != 0; lanes &= lanes - 1) {
     const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
     Crossing crossing;
-    if (ray.exact().intersect(block[lane], crossing) && !see(block.id(lane), crossing)) return false;
+    const TriangleRay& exact = ray.exact();
+    if (exact.intersect_ordered(block.ordered(lane, exact.axes()), crossing) && !see(block.id(lane), crossing))
+      return false;
   }
   return true;
 }

@@ -8,17 +8,6 @@
 namespace sightline {
 namespace {
 
-constexpr double unit_roundoff = 0x1p-53;
-
-/// With m the largest |vertex - origin| and M the largest sheared coordinate: a sheared coordinate is off by at most 7
-/// u m (two rounded differences, a slope rounded twice, a product, a difference), so an edge function, two products of
-/// such coordinates, by 4 * 7 u m M plus 8 u m M for its own roundings. 36 in all; the rest is for terms in u^2.
-constexpr double edge_error = 40 * unit_roundoff;
-
-/// The weighted mean of the vertices strays from the ray by 3 edge_error m M * M / |u + v + w|. It must stay below the
-/// 2^-35 m that margin M1 grants to double rays, so the sum must exceed this share of M^2.
-constexpr double least_weight = 3 * edge_error * 0x1p+35;
-
 struct ExactVector {
   Expansion<2> x, y, z;
 };
@@ -33,7 +22,7 @@ std::array<Expansion<16>, 3> cross(const ExactVector& p, const ExactVector& q) {
 
 /// How far the origin is from a triangle's plane, in units of the normal's length, as a vertex relative to the origin
 /// over the plane's own normal. That is rounded by its edges, which are short where the origin is next to it: with the
-/// absolute values of the products in place of the products, the normal by 4 u, and the sum by 4 u more.
+/// absolute values of the products in place of the products, the normal by 4 u, and the sum by 4 u more; u = 2^-53.
 struct Height {
   double value, bound;
 
@@ -41,7 +30,7 @@ struct Height {
     const Vec3d p = Vec3d(triangle.b) - Vec3d(triangle.a), q = Vec3d(triangle.c) - Vec3d(triangle.a);
     const Vec3d size_p = glm::abs(p), size_q = glm::abs(q), size_a = glm::abs(a);
     value = glm::dot(a, glm::cross(p, q));
-    bound = 10 * unit_roundoff *
+    bound = 10 * 0x1p-53 *
             (size_a.x * (size_p.y * size_q.z + size_p.z * size_q.y) +
              size_a.y * (size_p.z * size_q.x + size_p.x * size_q.z) +
              size_a.z * (size_p.x * size_q.y + size_p.y * size_q.x));
@@ -54,54 +43,23 @@ auto dot(const Vec3d& d, const std::array<Expansion<16>, 3>& n) {
 
 }  // namespace
 
-TriangleRay::TriangleRay(const Ray<double>& ray, const Aabb& bounds) : origin_(ray.origin), direction_(ray.direction) {
-  const Vec3d size = glm::abs(direction_);
-  kz_ = largest_axis(size);
-  kx_ = (kz_ + 1) % 3;
-  ky_ = (kx_ + 1) % 3;
-  if (direction_[kz_] < 0) std::swap(kx_, ky_);
-  const double along = direction_[kz_];
-  scale_z_ = 1 / along;
-  const bool has_inverse = std::fabs(along) >= 0x1p-1000;
-  shear_x_ = has_inverse ? direction_[kx_] * scale_z_ : direction_[kx_] / along;
-  shear_y_ = has_inverse ? direction_[ky_] * scale_z_ : direction_[ky_] / along;
-  const double reach = reach_of(origin_, bounds);
-  sign_bound_ = 2 * edge_error * reach * reach;  // M <= 2 m, as slopes are at most 1
-}
-
-bool TriangleRay::settle(const Triangle& triangle, const Vec3d& a, const Vec3d& b, const Vec3d& c, const Sheared& s,
-                         double u, double v, double w, Crossing& crossing) const {
-  const double reach = std::max({max_norm(a), max_norm(b), max_norm(c)});
-  const double size =
-      std::max({std::fabs(s.ax), std::fabs(s.ay), std::fabs(s.bx), std::fabs(s.by), std::fabs(s.cx), std::fabs(s.cy)});
-  const double bound = edge_error * reach * size;
-  const double lowest = std::min({u, v, w}), highest = std::max({u, v, w});
-  if (lowest < -bound && highest > bound) return false;
-  const double sum = u + v + w;
-  const bool is_settled = (lowest > bound || highest < -bound) && std::fabs(sum) > least_weight * size * size;
-  if (!is_settled) return intersect_exactly(triangle, crossing);
-  const double height = u * a[kz_] + v * b[kz_] + w * c[kz_], share = std::fabs(sum);
-  if (std::fabs(height) > reach * (4 * bound + 8 * unit_roundoff * share)) [[likely]] {
-    crossing.t = height * scale_z_ / sum;
-  } else {
-    // T3: three edge functions are off by 3 bound, and weights of one sign round the mean by 4 u of reach.
-    const Height own(triangle, a);
-    const bool is_sure = std::fabs(own.value) > own.bound && own.bound <= 0x1p-37 * reach * share;
-    if (!is_sure || bound > 0x1p-20 * share) return intersect_exactly(triangle, crossing);
-    crossing.t = -own.value * std::fabs(scale_z_) / sum;
-  }
-  crossing.u = v / sum;
-  crossing.v = w / sum;
+/// T3 for an origin next to the plane, while the signs of the edge functions are sure, and so is their sum.
+bool TriangleRay::settle_height(const Triangle& ordered, const Vec3d& a, double reach, double sum,
+                                Crossing& crossing) const {
+  const Height own(ordered, a);
+  const bool is_sure = std::fabs(own.value) > own.bound && own.bound <= 0x1p-37 * reach * std::fabs(sum);
+  if (!is_sure) return intersect_exactly(ordered, crossing);
+  crossing.t = -own.value * scale_z_ / sum;
   return true;
 }
 
 /// The same edge functions without the shear: u = d . (c x b), v = d . (a x c), w = d . (b x a), relative to the
 /// origin. Their sum is the direction's component along the normal, and a . (c x b) the origin's height, both with one
 /// factor.
-bool TriangleRay::intersect_exactly(const Triangle& triangle, Crossing& crossing) const {
-  const ExactVector a = relative_to(origin_, triangle.a);
-  const ExactVector b = relative_to(origin_, triangle.b);
-  const ExactVector c = relative_to(origin_, triangle.c);
+bool TriangleRay::intersect_exactly(const Triangle& ordered, Crossing& crossing) const {
+  const ExactVector a = relative_to(origin_, ordered.a);
+  const ExactVector b = relative_to(origin_, ordered.b);
+  const ExactVector c = relative_to(origin_, ordered.c);
   const auto c_cross_b = cross(c, b);
   const auto u = dot(direction_, c_cross_b);
   const auto v = dot(direction_, cross(a, c));

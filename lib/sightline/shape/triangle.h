@@ -12,7 +12,9 @@
 ///   T3  The sign of t is the true one, so a ray that starts on a triangle does not find it again.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "sightline/math/aabb.h"
 #include "sightline/math/hull.h"
@@ -43,22 +45,52 @@ Hull hull_of(const Triangle&);
 /// has no area.
 CandidatePlanes planes_of(const Triangle&);
 
-/// What the test needs of a ray, made once a ray.
+/// By the axis that comes last; all are rotations, which keep the sign of a triple product.
+inline constexpr std::array<std::array<int, 4>, 3> axis_orders{{{1, 2, 0, 3}, {2, 0, 1, 3}, {0, 1, 2, 3}}};
+
+/// What the test needs of a ray, made once a ray. Everything in it has the axis of the direction's largest component as
+/// its last: triangles are put in that order when they are read, so that no test has to look an axis up.
 class TriangleRay {
  public:
   /// `bounds` contain every triangle that will be tested.
-  TriangleRay(const Ray<double>& ray, const Aabb& bounds);
+  TriangleRay(const Ray<double>& ray, const Aabb& bounds)
+      : TriangleRay(ray, largest_axis(glm::abs(ray.direction)), reach_of(ray.origin, bounds)) {}
+
+  /// The same where it is known already along which axis the direction is largest. `reach` is not less than the largest
+  /// distance over the axes from the origin to any vertex; infinite where nobody knows.
+  template <class T>
+  TriangleRay(const Ray<T>& ray, int last_axis, double reach);
 
   /// True when the line of the ray crosses the triangle. The caller holds t against the ray's range.
   bool intersect(const Triangle& triangle, Crossing& crossing) const {
-    const Vec3d a = Vec3d(triangle.a) - origin_, b = Vec3d(triangle.b) - origin_, c = Vec3d(triangle.c) - origin_;
-    const Sheared s{shear_x(a), shear_y(a), shear_x(b), shear_y(b), shear_x(c), shear_y(c)};
-    const double u = s.cx * s.by - s.cy * s.bx;
-    const double v = s.ax * s.cy - s.ay * s.cx;
-    const double w = s.bx * s.ay - s.by * s.ax;
+    return intersect_ordered({in_order(triangle.a), in_order(triangle.b), in_order(triangle.c)}, crossing);
+  }
+
+  /// The same of a triangle with its coordinates in the order of axes().
+  bool intersect_ordered(const Triangle& ordered, Crossing& crossing) const {
+    const Vec3d a = Vec3d(ordered.a) - origin_, b = Vec3d(ordered.b) - origin_, c = Vec3d(ordered.c) - origin_;
+    const double ax = a.x - shear_x_ * a.z, bx = b.x - shear_x_ * b.z, cx = c.x - shear_x_ * c.z;
+    const double ay = a.y - shear_y_ * a.z, by = b.y - shear_y_ * b.z, cy = c.y - shear_y_ * c.z;
+    const double u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
     // Most triangles end here: edge functions of both signs, farther from zero than any rounding in these bounds.
-    if (std::min({u, v, w}) < -sign_bound_ && std::max({u, v, w}) > sign_bound_) return false;
-    return settle(triangle, a, b, c, s, u, v, w, crossing);
+    const double lowest = std::min({u, v, w}), highest = std::max({u, v, w});
+    if (lowest < -sign_bound_ && highest > sign_bound_) return false;
+
+    const double reach = std::max({max_norm(a), max_norm(b), max_norm(c)});
+    const double size = std::max(max_norm(Vec3d(ax, bx, cx)), max_norm(Vec3d(ay, by, cy)));
+    const double bound = edge_error * reach * size;
+    if (lowest < -bound && highest > bound) return false;
+    const double sum = u + v + w, share = std::fabs(sum);
+    const bool is_settled = (lowest > bound || highest < -bound) && share > least_weight * size * size;
+    if (!is_settled) [[unlikely]]
+      return intersect_exactly(ordered, crossing);
+    const double height = u * a.z + v * b.z + w * c.z;
+    crossing = {height * scale_z_ / sum, v / sum, w / sum};
+    // T3: three edge functions are off by 3 bound, and weights of one sign round the mean by 4 u of reach.
+    if (std::fabs(height) > reach * (4 * bound + 8 * unit_roundoff * share)) [[likely]]
+      return true;
+    return bound <= 0x1p-20 * share ? settle_height(ordered, a, reach, sum, crossing)
+                                    : intersect_exactly(ordered, crossing);
   }
 
   template <class Report>
@@ -67,22 +99,44 @@ class TriangleRay {
     if (intersect(triangle, crossing)) report(crossing);
   }
 
+  const std::array<int, 4>& axes() const { return axis_orders[last_axis_]; }
+
  private:
-  struct Sheared {
-    double ax, ay, bx, by, cx, cy;
-  };
+  static constexpr double unit_roundoff = 0x1p-53;
 
-  double shear_x(const Vec3d& p) const { return p[kx_] - shear_x_ * p[kz_]; }
-  double shear_y(const Vec3d& p) const { return p[ky_] - shear_y_ * p[kz_]; }
+  /// With m the largest |vertex - origin| and M the largest sheared coordinate: a sheared coordinate is off by at most
+  /// 7 u m (two rounded differences, a slope rounded twice, a product, a difference), so an edge function, two products
+  /// of such coordinates, by 4 * 7 u m M plus 8 u m M for its own roundings. 36 in all; the rest is for terms in u^2.
+  static constexpr double edge_error = 40 * unit_roundoff;
 
-  bool settle(const Triangle&, const Vec3d& a, const Vec3d& b, const Vec3d& c, const Sheared&, double u, double v,
-              double w, Crossing&) const;
-  bool intersect_exactly(const Triangle&, Crossing&) const;
+  /// The weighted mean of the vertices strays from the ray by 3 edge_error m M * M / |u + v + w|. It must stay below
+  /// the 2^-35 m that margin M1 grants to double rays, so the sum must exceed this share of M^2.
+  static constexpr double least_weight = 3 * edge_error * 0x1p+35;
 
+  template <class T>
+  Vec3<T> in_order(const Vec3<T>& v) const {
+    const std::array<T, 3> all{v.x, v.y, v.z};
+    const std::array<int, 4>& order = axes();
+    return {all[order[0]], all[order[1]], all[order[2]]};
+  }
+
+  bool settle_height(const Triangle& ordered, const Vec3d& a, double reach, double sum, Crossing&) const;
+  bool intersect_exactly(const Triangle& ordered, Crossing&) const;
+
+  int last_axis_;
   Vec3d origin_, direction_;
-  int kx_, ky_, kz_;  ///< kz is the axis of the direction's largest component; x and y swap where that is negative.
   double shear_x_, shear_y_, scale_z_;
   double sign_bound_;  ///< Error of an edge function of any triangle in the bounds.
 };
+
+template <class T>
+inline TriangleRay::TriangleRay(const Ray<T>& ray, int last_axis, double reach)
+    : last_axis_(last_axis), origin_(in_order(ray.origin)), direction_(in_order(ray.direction)) {
+  scale_z_ = 1 / direction_.z;
+  const bool has_inverse = std::is_same_v<T, float> || std::fabs(direction_.z) >= 0x1p-1000;
+  shear_x_ = has_inverse ? direction_.x * scale_z_ : direction_.x / direction_.z;
+  shear_y_ = has_inverse ? direction_.y * scale_z_ : direction_.y / direction_.z;
+  sign_bound_ = 2 * edge_error * reach * reach;  // M <= 2 m, as slopes are at most 1
+}
 
 }  // namespace sightline

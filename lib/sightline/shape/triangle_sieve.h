@@ -46,15 +46,14 @@ class TriangleBlock {
   std::uint32_t mask() const { return (1u << count_) - 1; }
   const float* row(std::uint32_t index) const { return rows_ + index * count_; }
 
-  Triangle operator[](std::uint32_t lane) const {
-    const float* at = rows_ + lane;
-    const auto next = [&] { return *std::exchange(at, at + count_); };
-    Triangle triangle;
-    for (Vec3f* corner : {&triangle.a, &triangle.b, &triangle.c}) {
-      for (int axis = 0; axis < 3; ++axis) (*corner)[axis] = next();
-    }
-    return triangle;
+  /// A triangle with its coordinates in the order of `axes`.
+  Triangle ordered(std::uint32_t lane, const std::array<int, 4>& axes) const {
+    const auto at = [&](std::uint32_t axis) { return row(static_cast<std::uint32_t>(axes[axis])) + lane; };
+    const float *x = at(0), *y = at(1), *z = at(2);
+    const std::size_t next = 3 * std::size_t(count_);
+    return {{x[0], y[0], z[0]}, {x[next], y[next], z[next]}, {x[2 * next], y[2 * next], z[2 * next]}};
   }
+  Triangle operator[](std::uint32_t lane) const { return ordered(lane, axis_orders[2]); }
 
   std::uint32_t id(std::uint32_t lane) const { return std::bit_cast<std::uint32_t>(row(id_row)[lane]); }
 
@@ -72,6 +71,10 @@ class TriangleSieve {
   /// `bounds` contain every triangle that will be tested.
   template <class T>
   TriangleSieve(const Ray<T>& ray, const Aabb& bounds);
+
+  /// What the exact test of the same ray can do with: the axis of the direction's largest component, and a bound of R.
+  int last_axis() const { return last_axis_; }
+  double reach() const { return reach_ < largest ? reach_ : std::numeric_limits<double>::infinity(); }
 
   /// One bit a lane: set where the line of the ray may cross the triangle, and always set where it does.
   ///   E5  That a triangle is passed by outside takes less to tell than E2, and is true of most. With F = 6.2 u R +
@@ -141,6 +144,7 @@ class TriangleSieve {
   static constexpr D d{};
   static constexpr std::uint32_t step = hn::MaxLanes(d);
   static constexpr float unit_roundoff = 0x1p-24f;
+  static constexpr float largest = 0x1p+60f;
   static constexpr float smallest_sum = 0x1p-80f;  ///< From here on what underflows in a height does not matter.
 
   struct Edges {
@@ -171,8 +175,9 @@ class TriangleSieve {
   [[gnu::always_inline]] Edges edges(const TriangleBlock& block, std::uint32_t lane) const {
     const V ox = hn::Set(d, origin_[0]), oy = hn::Set(d, origin_[1]), oz = hn::Set(d, origin_[2]);
     const V sx = hn::Set(d, slopes_[0]), sy = hn::Set(d, slopes_[1]);
+    const std::array<int, 4>& axes = axis_orders[last_axis_];
     const auto load = [&](std::uint32_t corner, int axis) {
-      return hn::LoadU(d, block.row(static_cast<std::uint32_t>(axes_[axis])) + 3 * corner * block.count() + lane);
+      return hn::LoadU(d, block.row(static_cast<std::uint32_t>(axes[axis])) + 3 * corner * block.count() + lane);
     };
     Edges e;
     e.az = hn::Sub(load(0, 2), oz), e.bz = hn::Sub(load(1, 2), oz), e.cz = hn::Sub(load(2, 2), oz);
@@ -190,12 +195,9 @@ class TriangleSieve {
     return hn::MaxLanes(d) == TriangleBlock::lanes ? TriangleBlock::lanes : block.count();
   }
 
-  /// By the axis of the direction's largest component, which comes last.
-  static constexpr std::array<std::array<int, 4>, 3> axis_orders{{{1, 2, 0, 3}, {2, 0, 1, 3}, {0, 1, 2, 3}}};
-
-  float origin_[4];  ///< In the order of axes_.
-  float slopes_[4];  ///< Of the first two axes against the last, and 1 / the last of the direction.
-  int axes_[3];
+  float origin_[4];                     ///< In the order of the axes.
+  float slopes_[4];                     ///< Of the first two axes against the last, and 1 / the last of the direction.
+  int last_axis_;                       ///< Of the direction's largest component.
   float squares_share_, least_square_;  ///< 400 F^2, and that times F^2 (E5).
   float reach_;                         ///< R.
   bool is_ordinary_;                    ///< Nothing that `cross` computes overflows or underflows.
@@ -203,9 +205,8 @@ class TriangleSieve {
 
 template <class T>
 [[gnu::always_inline]] inline TriangleSieve::TriangleSieve(const Ray<T>& ray, const Aabb& bounds) {
-  constexpr float largest = 0x1p+60f, smallest = 0x1p-20f;
-  const int last = largest_axis(glm::abs(ray.direction));
-  for (int i = 0; i < 3; ++i) axes_[i] = axis_orders[last][i];
+  constexpr float smallest = 0x1p-20f;
+  const int last = last_axis_ = largest_axis(glm::abs(ray.direction));
   const T along = ray.direction[last];
   const T reach = reach_of(ray.origin, bounds);
   const bool is_in_range = reach <= largest;
@@ -219,10 +220,10 @@ template <class T>
     hn::StoreU(hn::Div(slopes, hn::Set(f, along)), f, slopes_);
   } else {
     for (int i = 0; i < 3; ++i) {
-      const T exact = is_in_range ? ray.origin[axes_[i]] : 0;
+      const T exact = is_in_range ? ray.origin[axis_orders[last][i]] : 0;
       origin_[i] = static_cast<float>(exact);
       moved = std::max(moved, std::fabs(exact - origin_[i]));
-      slopes_[i] = static_cast<float>((i < 2 ? ray.direction[axes_[i]] : 1) / along);
+      slopes_[i] = static_cast<float>((i < 2 ? ray.direction[axis_orders[last][i]] : 1) / along);
     }
   }
   reach_ = static_cast<float>(std::min<T>(reach, largest)) * 0x1.00001p+0f;  // above what was rounded
