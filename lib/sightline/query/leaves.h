@@ -115,7 +115,10 @@ class PreparedTriangles {
     return *sieve_;
   }
   const TriangleRay& exact() {
-    if (!exact_) exact_.emplace(ray_, sieve().last_axis(), sieve().reach());
+    if (!exact_) {
+      const TriangleSieve& known = sieve();
+      exact_.emplace(ray_, known.last_axis(), known.reach());
+    }
     return *exact_;
   }
   const Ray<T>& ray() const { return ray_; }
@@ -136,7 +139,9 @@ template <class T, class See>
     const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
     Crossing crossing;
     const TriangleRay& exact = ray.exact();
-    if (exact.intersect_ordered(block.ordered(lane, exact.axes()), crossing) && !see(block.id(lane), crossing))
+    const bool takes_behind = ray.ray().t_min < 0;
+    if (exact.intersect_ordered(block.ordered(lane, exact.axes()), takes_behind, crossing) &&
+        !see(block.id(lane), crossing))
       return false;
   }
   return true;

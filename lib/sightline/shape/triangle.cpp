@@ -43,12 +43,13 @@ auto dot(const Vec3d& d, const std::array<Expansion<16>, 3>& n) {
 
 }  // namespace
 
-/// T3 for an origin next to the plane, while the signs of the edge functions are sure, and so is their sum.
-bool TriangleRay::settle_height(const Triangle& ordered, const Vec3d& a, double reach, double sum,
-                                Crossing& crossing) const {
+/// T3 for an origin next to the plane, where the signs of the edge functions are sure.
+bool TriangleRay::settle_next_to(const Triangle& ordered, const Vec3d& a, double sum, double bound,
+                                 Crossing& crossing) const {
   const Height own(ordered, a);
-  const bool is_sure = std::fabs(own.value) > own.bound && own.bound <= 0x1p-37 * reach * std::fabs(sum);
-  if (!is_sure) return intersect_exactly(ordered, crossing);
+  const double share = std::fabs(sum);
+  const bool is_sure = std::fabs(own.value) > own.bound && own.bound <= 0x1p-37 * reach_ * share;
+  if (!is_sure || bound > 0x1p-20 * share) return intersect_exactly(ordered, crossing);
   crossing.t = -own.value * scale_z_ / sum;
   return true;
 }

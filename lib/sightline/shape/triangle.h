@@ -57,17 +57,18 @@ class TriangleRay {
       : TriangleRay(ray, largest_axis(glm::abs(ray.direction)), reach_of(ray.origin, bounds)) {}
 
   /// The same where it is known already along which axis the direction is largest. `reach` is not less than the largest
-  /// distance over the axes from the origin to any vertex; infinite where nobody knows.
+  /// distance over the axes from the origin to any vertex, and not much more.
   template <class T>
   TriangleRay(const Ray<T>& ray, int last_axis, double reach);
 
   /// True when the line of the ray crosses the triangle. The caller holds t against the ray's range.
   bool intersect(const Triangle& triangle, Crossing& crossing) const {
-    return intersect_ordered({in_order(triangle.a), in_order(triangle.b), in_order(triangle.c)}, crossing);
+    return intersect_ordered({in_order(triangle.a), in_order(triangle.b), in_order(triangle.c)}, true, crossing);
   }
 
-  /// The same of a triangle with its coordinates in the order of axes().
-  bool intersect_ordered(const Triangle& ordered, Crossing& crossing) const {
+  /// The same of a triangle with its coordinates in the order of axes(). Crossings with t < 0 may be left out unless
+  /// `takes_behind`: most rays that leave a surface meet their own triangle there.
+  bool intersect_ordered(const Triangle& ordered, bool takes_behind, Crossing& crossing) const {
     const Vec3d a = Vec3d(ordered.a) - origin_, b = Vec3d(ordered.b) - origin_, c = Vec3d(ordered.c) - origin_;
     const double ax = a.x - shear_x_ * a.z, bx = b.x - shear_x_ * b.z, cx = c.x - shear_x_ * c.z;
     const double ay = a.y - shear_y_ * a.z, by = b.y - shear_y_ * b.z, cy = c.y - shear_y_ * c.z;
@@ -76,21 +77,22 @@ class TriangleRay {
     const double lowest = std::min({u, v, w}), highest = std::max({u, v, w});
     if (lowest < -sign_bound_ && highest > sign_bound_) return false;
 
-    const double reach = std::max({max_norm(a), max_norm(b), max_norm(c)});
     const double size = std::max(max_norm(Vec3d(ax, bx, cx)), max_norm(Vec3d(ay, by, cy)));
-    const double bound = edge_error * reach * size;
+    const double bound = edge_error * reach_ * size;
     if (lowest < -bound && highest > bound) return false;
     const double sum = u + v + w, share = std::fabs(sum);
     const bool is_settled = (lowest > bound || highest < -bound) && share > least_weight * size * size;
     if (!is_settled) [[unlikely]]
       return intersect_exactly(ordered, crossing);
-    const double height = u * a.z + v * b.z + w * c.z;
-    crossing = {height * scale_z_ / sum, v / sum, w / sum};
     // T3: three edge functions are off by 3 bound, and weights of one sign round the mean by 4 u of reach.
-    if (std::fabs(height) > reach * (4 * bound + 8 * unit_roundoff * share)) [[likely]]
-      return true;
-    return bound <= 0x1p-20 * share ? settle_height(ordered, a, reach, sum, crossing)
-                                    : intersect_exactly(ordered, crossing);
+    const double height = (u * a.z + v * b.z + w * c.z) * scale_z_;
+    if (std::fabs(height) <= height_scale_ * (4 * bound + 8 * unit_roundoff * share)) [[unlikely]] {
+      crossing.u = v / sum, crossing.v = w / sum;
+      return settle_next_to(ordered, a, sum, bound, crossing);
+    }
+    if ((height < 0) != (sum < 0) && !takes_behind) return false;
+    crossing = {height / sum, v / sum, w / sum};
+    return true;
   }
 
   template <class Report>
@@ -104,9 +106,10 @@ class TriangleRay {
  private:
   static constexpr double unit_roundoff = 0x1p-53;
 
-  /// With m the largest |vertex - origin| and M the largest sheared coordinate: a sheared coordinate is off by at most
-  /// 7 u m (two rounded differences, a slope rounded twice, a product, a difference), so an edge function, two products
-  /// of such coordinates, by 4 * 7 u m M plus 8 u m M for its own roundings. 36 in all; the rest is for terms in u^2.
+  /// With m no less than the largest |vertex - origin| and M the largest sheared coordinate: a sheared coordinate is
+  /// off by at most 7 u m (two rounded differences, a slope rounded twice, a product, a difference), so an edge
+  /// function, two products of such coordinates, by 4 * 7 u m M plus 8 u m M for its own roundings. 36 in all; the rest
+  /// is for terms in u^2.
   static constexpr double edge_error = 40 * unit_roundoff;
 
   /// The weighted mean of the vertices strays from the ray by 3 edge_error m M * M / |u + v + w|. It must stay below
@@ -120,23 +123,26 @@ class TriangleRay {
     return {all[order[0]], all[order[1]], all[order[2]]};
   }
 
-  bool settle_height(const Triangle& ordered, const Vec3d& a, double reach, double sum, Crossing&) const;
+  bool settle_next_to(const Triangle& ordered, const Vec3d& a, double sum, double bound, Crossing&) const;
   bool intersect_exactly(const Triangle& ordered, Crossing&) const;
 
   int last_axis_;
   Vec3d origin_, direction_;
   double shear_x_, shear_y_, scale_z_;
-  double sign_bound_;  ///< Error of an edge function of any triangle in the bounds.
+  double reach_;         ///< m of all triangles.
+  double sign_bound_;    ///< Error of an edge function of any triangle in the bounds.
+  double height_scale_;  ///< reach_ in units of the direction.
 };
 
 template <class T>
 inline TriangleRay::TriangleRay(const Ray<T>& ray, int last_axis, double reach)
-    : last_axis_(last_axis), origin_(in_order(ray.origin)), direction_(in_order(ray.direction)) {
+    : last_axis_(last_axis), origin_(in_order(ray.origin)), direction_(in_order(ray.direction)), reach_(reach) {
   scale_z_ = 1 / direction_.z;
   const bool has_inverse = std::is_same_v<T, float> || std::fabs(direction_.z) >= 0x1p-1000;
   shear_x_ = has_inverse ? direction_.x * scale_z_ : direction_.x / direction_.z;
   shear_y_ = has_inverse ? direction_.y * scale_z_ : direction_.y / direction_.z;
   sign_bound_ = 2 * edge_error * reach * reach;  // M <= 2 m, as slopes are at most 1
+  height_scale_ = reach * std::fabs(scale_z_);
 }
 
 }  // namespace sightline

@@ -74,7 +74,7 @@ class TriangleSieve {
 
   /// What the exact test of the same ray can do with: the axis of the direction's largest component, and a bound of R.
   int last_axis() const { return last_axis_; }
-  double reach() const { return reach_ < largest ? reach_ : std::numeric_limits<double>::infinity(); }
+  double reach() const { return reach_; }
 
   /// One bit a lane: set where the line of the ray may cross the triangle, and always set where it does.
   ///   E5  That a triangle is passed by outside takes less to tell than E2, and is true of most. With F = 6.2 u R +
@@ -127,8 +127,9 @@ class TriangleSieve {
       hn::StoreU(hn::Div(e.w, sum), d, found.v + lane);
 
       const V m = e.largest();
-      const M is_sure = hn::And(hn::Gt(size, hn::Set(d, smallest_sum)),
-                                hn::Le(hn::Mul(m, hn::Mul(m, m)), hn::Mul(hn::Set(d, reach_), size)));
+      const M is_sure =
+          hn::And(hn::Gt(size, hn::Set(d, smallest_sum)),
+                  hn::Le(hn::Mul(m, hn::Mul(m, m)), hn::Mul(hn::Set(d, static_cast<float>(reach_)), size)));
       const M is_in_range = hn::And(hn::Gt(t, hn::Set(d, t_min)), hn::Le(t, hn::Set(d, far)));
       hits |= bits_of(d, hn::And(is_inside, hn::And(is_sure, is_in_range))) << lane;
       unsure |= bits_of(d, hn::AndNot(is_sure, is_inside)) << lane;
@@ -199,7 +200,7 @@ class TriangleSieve {
   float slopes_[4];                     ///< Of the first two axes against the last, and 1 / the last of the direction.
   int last_axis_;                       ///< Of the direction's largest component.
   float squares_share_, least_square_;  ///< 400 F^2, and that times F^2 (E5).
-  float reach_;                         ///< R.
+  double reach_;                        ///< R.
   bool is_ordinary_;                    ///< Nothing that `cross` computes overflows or underflows.
 };
 
@@ -226,10 +227,10 @@ template <class T>
       slopes_[i] = static_cast<float>((i < 2 ? ray.direction[axis_orders[last][i]] : 1) / along);
     }
   }
-  reach_ = static_cast<float>(std::min<T>(reach, largest)) * 0x1.00001p+0f;  // above what was rounded
+  reach_ = static_cast<double>(reach) * 0x1.00001p+0;  // above what was rounded
   const float moved_error = is_in_range ? std::max(2.1f * static_cast<float>(moved), 0x1p-60f)
                                         : std::numeric_limits<float>::infinity();  // E3
-  const float most_error = moved_error + 6.2f * unit_roundoff * reach_;
+  const float most_error = moved_error + 6.2f * unit_roundoff * static_cast<float>(reach_);
   squares_share_ = 400 * most_error * most_error;
   least_square_ = std::max(squares_share_ * most_error * most_error, 0x1p-126f);
   const T speed = std::fabs(along);
