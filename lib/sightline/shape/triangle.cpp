@@ -47,10 +47,10 @@ auto dot(const Vec3d& d, const std::array<Expansion<16>, 3>& n) {
 bool TriangleRay::settle_next_to(const Triangle& ordered, const Vec3d& a, double sum, double bound,
                                  Crossing& crossing) const {
   const Height own(ordered, a);
-  const double share = std::fabs(sum);
-  const bool is_sure = std::fabs(own.value) > own.bound && own.bound <= 0x1p-37 * reach_ * share;
+  const double share = std::fabs(sum), squared = direction_.z * direction_.z;
+  const bool is_sure = std::fabs(own.value) > own.bound && own.bound * squared <= 0x1p-37 * reach_ * share;
   if (!is_sure || bound > 0x1p-20 * share) return intersect_exactly(ordered, crossing);
-  crossing.t = -own.value * scale_z_ / sum;
+  crossing.t = -own.value * direction_.z / sum;
   return true;
 }
 

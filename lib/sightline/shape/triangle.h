@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "sightline/math/aabb.h"
@@ -68,30 +69,32 @@ class TriangleRay {
 
   /// The same of a triangle with its coordinates in the order of axes(). Crossings with t < 0 may be left out unless
   /// `takes_behind`: most rays that leave a surface meet their own triangle there.
-  bool intersect_ordered(const Triangle& ordered, bool takes_behind, Crossing& crossing) const {
+  [[gnu::always_inline]] bool intersect_ordered(const Triangle& ordered, bool takes_behind, Crossing& crossing) const {
     const Vec3d a = Vec3d(ordered.a) - origin_, b = Vec3d(ordered.b) - origin_, c = Vec3d(ordered.c) - origin_;
-    const double ax = a.x - shear_x_ * a.z, bx = b.x - shear_x_ * b.z, cx = c.x - shear_x_ * c.z;
-    const double ay = a.y - shear_y_ * a.z, by = b.y - shear_y_ * b.z, cy = c.y - shear_y_ * c.z;
+    const Vec3d& d = direction_;
+    // Sheared, and scaled by d.z: a division less before the first decision.
+    const double ax = a.x * d.z - d.x * a.z, bx = b.x * d.z - d.x * b.z, cx = c.x * d.z - d.x * c.z;
+    const double ay = a.y * d.z - d.y * a.z, by = b.y * d.z - d.y * b.z, cy = c.y * d.z - d.y * c.z;
     const double u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
     // Most triangles end here: edge functions of both signs, farther from zero than any rounding in these bounds.
     const double lowest = std::min({u, v, w}), highest = std::max({u, v, w});
     if (lowest < -sign_bound_ && highest > sign_bound_) return false;
 
     const double size = std::max(max_norm(Vec3d(ax, bx, cx)), max_norm(Vec3d(ay, by, cy)));
-    const double bound = edge_error * reach_ * size;
+    const double bound = edge_share_ * size;
     if (lowest < -bound && highest > bound) return false;
     const double sum = u + v + w, share = std::fabs(sum);
     const bool is_settled = (lowest > bound || highest < -bound) && share > least_weight * size * size;
     if (!is_settled) [[unlikely]]
       return intersect_exactly(ordered, crossing);
     // T3: three edge functions are off by 3 bound, and weights of one sign round the mean by 4 u of reach.
-    const double height = (u * a.z + v * b.z + w * c.z) * scale_z_;
-    if (std::fabs(height) <= height_scale_ * (4 * bound + 8 * unit_roundoff * share)) [[unlikely]] {
+    const double height = u * a.z + v * b.z + w * c.z, along = sum * d.z;
+    if (std::fabs(height) <= reach_ * (4 * bound + 8 * unit_roundoff * share)) [[unlikely]] {
       crossing.u = v / sum, crossing.v = w / sum;
       return settle_next_to(ordered, a, sum, bound, crossing);
     }
-    if ((height < 0) != (sum < 0) && !takes_behind) return false;
-    crossing = {height / sum, v / sum, w / sum};
+    if ((height < 0) != (along < 0) && !takes_behind) return false;
+    crossing = {height / along, v / sum, w / sum};
     return true;
   }
 
@@ -106,10 +109,10 @@ class TriangleRay {
  private:
   static constexpr double unit_roundoff = 0x1p-53;
 
-  /// With m no less than the largest |vertex - origin| and M the largest sheared coordinate: a sheared coordinate is
-  /// off by at most 7 u m (two rounded differences, a slope rounded twice, a product, a difference), so an edge
-  /// function, two products of such coordinates, by 4 * 7 u m M plus 8 u m M for its own roundings. 36 in all; the rest
-  /// is for terms in u^2.
+  /// With m no less than the largest |vertex - origin| and M the largest sheared coordinate, in units of d.z: a sheared
+  /// coordinate is off by at most 6 u m (two rounded differences, which are at most m, two products, their difference),
+  /// so an edge function, two products of such coordinates, by 4 * 6 u m M plus 8 u m M for its own roundings. 32 in
+  /// all; the rest is for terms in u^2.
   static constexpr double edge_error = 40 * unit_roundoff;
 
   /// The weighted mean of the vertices strays from the ray by 3 edge_error m M * M / |u + v + w|. It must stay below
@@ -128,21 +131,18 @@ class TriangleRay {
 
   int last_axis_;
   Vec3d origin_, direction_;
-  double shear_x_, shear_y_, scale_z_;
-  double reach_;         ///< m of all triangles.
-  double sign_bound_;    ///< Error of an edge function of any triangle in the bounds.
-  double height_scale_;  ///< reach_ in units of the direction.
+  double reach_;       ///< m of all triangles.
+  double edge_share_;  ///< Error of an edge function over M; infinite where products might leave the range of double.
+  double sign_bound_;  ///< Error of an edge function of any triangle in the bounds.
 };
 
 template <class T>
 inline TriangleRay::TriangleRay(const Ray<T>& ray, int last_axis, double reach)
     : last_axis_(last_axis), origin_(in_order(ray.origin)), direction_(in_order(ray.direction)), reach_(reach) {
-  scale_z_ = 1 / direction_.z;
-  const bool has_inverse = std::is_same_v<T, float> || std::fabs(direction_.z) >= 0x1p-1000;
-  shear_x_ = has_inverse ? direction_.x * scale_z_ : direction_.x / direction_.z;
-  shear_y_ = has_inverse ? direction_.y * scale_z_ : direction_.y / direction_.z;
-  sign_bound_ = 2 * edge_error * reach * reach;  // M <= 2 m, as slopes are at most 1
-  height_scale_ = reach * std::fabs(scale_z_);
+  const double along = std::fabs(direction_.z);
+  const bool is_moderate = std::is_same_v<T, float> || (along >= 0x1p-150 && along <= 0x1p+150);
+  edge_share_ = is_moderate ? edge_error * reach * along : std::numeric_limits<double>::infinity();
+  sign_bound_ = 2 * edge_share_ * reach * along;  // M <= 2 m, as slopes are at most 1
 }
 
 }  // namespace sightline
