@@ -133,6 +133,23 @@ class BoundingVolumeHierarchy {
 
 // ---- Traversal
 
+namespace detail {
+
+template <class T, class Visit>
+[[gnu::noinline]] T visit_apart(Visit& visit, LeafRange leaf) {
+  return visit(leaf);
+}
+
+/// The nearest hit is looked for out of the way of the loop over nodes, which needs the registers for itself; any hit
+/// needs fewer.
+template <class T, class Visit>
+T visit_leaf(Visit& visit, LeafRange leaf) {
+  if constexpr (takes_any_order<Visit>) return visit(leaf);
+  return visit_apart<T>(visit, leaf);
+}
+
+}  // namespace detail
+
 template <BoundingVolume Volume>
 template <class T, LeafVisitor<T> Visit, class Probe>
 void BoundingVolumeHierarchy<Volume>::traverse(const Ray<T>& ray, Visit&& visit, Probe& probe) const {
@@ -154,7 +171,7 @@ void BoundingVolumeHierarchy<Volume>::traverse(const Ray<T>& ray, Visit&& visit,
     const Node& node = nodes_[at.node];
     if (node.is_leaf()) {
       probe.leaf(at.node, node.range(), static_cast<double>(at.enter));
-      far = visit(node.range());
+      far = detail::visit_leaf<T>(visit, node.range());
       if (far < padded.t_min) return;
     } else {
       probe.node(at.node, static_cast<double>(at.enter));
