@@ -24,6 +24,7 @@
 #include "sightline/accel/object_sweep.h"
 #include "sightline/accel/reference_split.h"
 #include "sightline/accel/reference_sweep.h"
+#include "sightline/accel/visit_leaf.h"
 
 namespace sightline {
 
@@ -132,23 +133,6 @@ class BoundingVolumeHierarchy {
 };
 
 // ---- Traversal
-
-namespace detail {
-
-template <class T, class Visit>
-[[gnu::noinline]] T visit_apart(Visit& visit, LeafRange leaf) {
-  return visit(leaf);
-}
-
-/// The nearest hit is looked for out of the way of the loop over nodes, which needs the registers for itself; any hit
-/// needs fewer.
-template <class T, class Visit>
-T visit_leaf(Visit& visit, LeafRange leaf) {
-  if constexpr (takes_any_order<Visit>) return visit(leaf);
-  return visit_apart<T>(visit, leaf);
-}
-
-}  // namespace detail
 
 template <BoundingVolume Volume>
 template <class T, LeafVisitor<T> Visit, class Probe>
