@@ -12,13 +12,13 @@
 namespace sightline {
 
 /// The promise between intersectors and structures that makes all structures agree bit for bit:
-///   M1  (intersector) When a primitive is reported at t, some point p of the primitive has |p - ray(t)| <= margin<T> /
-///   2
-///       times reach on every axis. `reach` is the largest distance, over the axes, from the origin to the scene's
-///       bounds.
+///   M1  (intersector) When a primitive is reported at t, some point p of the primitive has |p - ray(t)|, on every
+///   axis,
+///       within half of margin<T> times reach. `reach` is the largest distance, over the axes, from the origin to the
+///       scene's bounds.
 ///   M2  (structure) A region is skipped only if it holds no point within margin<T> * reach, per axis, of ray(t) for
-///   any t
-///       in [t_min, far limit]. The other half of the margin pays for the rounding of the skipping test itself.
+///   any
+///       t in [t_min, far limit]. The other half of the margin pays for the rounding of the skipping test itself.
 /// Float: hits of level `fast` are off by up to 26 u of reach, u = 2^-24 (triangle_sieve.h), others by the rounding of
 /// t alone; a slab test rounds four times, 5 u. Each may take 32 u. Double: intersectors bound their backward error by
 /// 2^-35.
