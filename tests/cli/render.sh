@@ -83,16 +83,21 @@ expect_no_file
 slow=(teapot:1 --size 40x30 --samples 16 --error 0.02 --aov cost --out a.exr)
 run "$fake" "${slow[@]}"
 cp "$work/a.exr" "$scratch/whole.exr"
-# end_after SECONDS SIGNAL...: of a run that would take some four seconds.
+# end_after SECONDS|FILE SIGNAL...: of a run that would take some four seconds; where a file is named, as soon as it is
+# there, however slow the machine.
 end_after() {
   local after=$1 signal process
   shift
-  ran="${slow[*]} ended after $after s by $*"
+  ran="${slow[*]} ended after $after by $*"
   (
     cd -- "$work"
     SIGHTLINE_FAKE_DELAY=500 "$fake" "${slow[@]}" "${more[@]}" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null &
     process=$!
-    sleep "$after"
+    if [[ $after == [0-9]* ]]; then
+      sleep "$after"
+    else
+      while [ ! -e "$after" ] && kill -0 "$process" 2>/dev/null; do sleep 0.05; done
+    fi
     for signal; do kill -"$signal" "$process" 2>/dev/null; sleep 0.3; done
     wait "$process" 2>/dev/null
   ) && status=0 || status=$?
@@ -125,7 +130,7 @@ cp "$work/a.exr.checkpoint" "$scratch/checkpoint"
 # Killed: the checkpoint of the interval is there.
 rm -rf -- "$work" && mkdir -p "$work"
 more=(--checkpoint 0.3)
-end_after 1.5 KILL
+end_after a.exr.checkpoint KILL
 expect_exit 137
 expect_file a.exr.checkpoint
 run_again "$fake" "${slow[@]}" --resume
