@@ -27,6 +27,7 @@ struct Growth {
   std::string name, x_unit, y_unit;
   std::vector<double> x, y;
   std::optional<PowerFit> fit;
+  std::string chart{};  ///< Those of the same name share one; without a name, those of the same units.
 };
 
 struct Finding {
