@@ -1,3 +1,5 @@
+#include <benchmark/benchmark.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -68,12 +70,16 @@ bool meets(const UnitRay& ray, const Aabb& box) {
   return larger(larger(near.x, near.y), larger(near.z, 0)) <= smaller(smaller(far.x, far.y), far.z);
 }
 
+/// One after the other, as a tree would: without the barrier compilers test eight balls at once, but no boxes.
 template <class Volume>
 Line textbook_line(const std::vector<UnitRay>& rays, const std::vector<Volume>& volumes) {
   return {[&rays, volumes] {
             std::size_t met = 0;
             for (const UnitRay& ray : rays) {
-              for (const Volume& volume : volumes) met += meets(ray, volume);
+              for (const Volume& volume : volumes) {
+                met += meets(ray, volume);
+                benchmark::DoNotOptimize(met);
+              }
             }
             return static_cast<double>(met);
           },
@@ -203,8 +209,7 @@ Finding measure_bounding_spheres(const Effort& effort) {
     measure_scene(effort, "soup:" + size(10'000, 3'000), finding, conditions);
     measure_scene(effort, "sticks:" + size(5'000, 1'000), finding, conditions);
   });
-  conclude(finding, conditions,
-           "The test alone is fast; what balls let in in vain costs a whole ray more than that saves.");
+  conclude(finding, conditions, "The test alone is fast, but so much more is let in that whole rays take longer");
   return finding;
 }
 

@@ -139,7 +139,7 @@ Finding measure_bsp_cost(const Effort& effort) {
   });
   conclude(finding, conditions,
            "Each step takes more, but well-chosen planes leave fewer of them and fewer triangles, so that a whole ray "
-           "need not take longer.");
+           "need not take longer");
   return finding;
 }
 

@@ -125,7 +125,7 @@ Finding measure_grid_cells(const Effort& effort) {
     measure_scene(effort, "soup:" + size(20'000, 5'000), finding, conditions);
   });
   conclude(finding, conditions,
-           "With one size of cells it is so; dividing crowded cells again is a way out where triangles are crowded.");
+           "With one size of cells it is so; dividing crowded cells again is a way out where triangles are crowded");
   return finding;
 }
 

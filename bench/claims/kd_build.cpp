@@ -45,7 +45,7 @@ Figure steepening_of(const Growth& growth, std::span<const std::vector<double>> 
     }
     all.push_back(thirds.steepening());
   }
-  return {"steepening of " + growth.name, *estimate_of_present(all), "x"};
+  return {"steepening of " + growth.name, known(estimate_of_present(all)), "x"};
 }
 
 /// References times the number of cells that hold each, from the root to its leaf: what passes through a builder's
@@ -139,12 +139,12 @@ Finding measure_kd_build(const Effort& effort) {
   asked.push_back({Condition::Kind::wanted, sorted, steepening_of(sorted)});
 
   Finding finding;
-  const Growth one = of_logarithm("n log n", sizes, 1), two = of_logarithm("n log² n", sizes, 2);
+  const Growth one = of_logarithm("n log n", sizes, 1), two = of_logarithm("n (log n)^2", sizes, 2);
   const double limit = 0.5 * (1 + steepening_of(two).value.median);
   finding.figures.push_back(steepening_of(two));
   finding.figures.push_back(exact_figure("limit: halfway to that from 1, of n log n", limit, "x"));
   finding.figures.push_back(exact_figure("exponent that n log n fits as over these sizes", one.fit->exponent));
-  finding.figures.push_back(exact_figure("exponent that n log² n fits as", two.fit->exponent));
+  finding.figures.push_back(exact_figure("exponent that n (log n)^2 fits as", two.fit->exponent));
   std::vector<Condition> conditions;
   for (const auto& [kind, growth, steepening] : asked) {
     finding.growths.push_back(growth);
@@ -153,7 +153,7 @@ Finding measure_kd_build(const Effort& effort) {
     conditions.push_back({kind, steepening, Side::below, limit});
   }
   conclude(finding, conditions,
-           "The counted work of building, and of inserting in a random order, is n log n; not so what follows.");
+           "The counted work of building, and of inserting in a random order, is n log n; not so what follows");
   return finding;
 }
 
@@ -167,7 +167,8 @@ const Claim kd_build_claim{
     "order.",
     "What one triangle takes grows by as much from the middle size to the largest as from the smallest to the middle "
     "one (sizes evenly in logarithms) if the whole is n log n, whatever is beside that in proportion to n: steepening "
-    "1. The limit is halfway to the steepening of n log² n. Holds if all stay below; holds with a limit if the counted "
+    "1. The limit is halfway to the steepening of n (log n)^2. Holds if all stay below; holds with a limit if the "
+    "counted "
     "work of building and of insertion at random does, but a time or insertion in order does not.",
     measure_kd_build};
 

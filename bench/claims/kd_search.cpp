@@ -132,7 +132,7 @@ Finding measure_kd_search(const Effort& effort) {
       }
     }
   });
-  conclude(finding, conditions, "It is the bound of range search, and tight there; rays stay far below it.");
+  conclude(finding, conditions, "It is the bound of range search, and tight there; rays stay far below it");
   return finding;
 }
 

@@ -87,7 +87,7 @@ Estimate break_even(std::span<const std::size_t> counts, const Rounds& rounds, W
     }
     crossings.push_back(crossing);
   }
-  return *estimate_of_present(crossings);
+  return known(estimate_of_present(crossings));
 }
 
 void measure_scene(const Effort& effort, const std::string& scene, Finding& finding,
@@ -116,20 +116,20 @@ void measure_scene(const Effort& effort, const std::string& scene, Finding& find
   const char* const names[] = {"lazy", "eager", "eager, triangles copied"};
   for (std::size_t way = 0; way < way_count; ++way) {
     std::vector<double> ms;
-    for (const auto& k : rounds[way]) ms.push_back(1e3 * estimate_of_present(k)->median);
+    for (const auto& k : rounds[way]) ms.push_back(1e3 * known(estimate_of_present(k)).median);
     finding.growths.push_back(
         {scene + ": building and rays, " + names[way], "rays", "ms", x, std::move(ms), {}, scene});  // no power law
   }
   finding.growths.push_back(
       {scene + ": share of inner nodes made", "rays", "", x, shares, {}, "share of inner nodes made"});
   const Figure first{scene + ": time to the first answer, eager over lazy",
-                     *paired_ratio(rounds[eager].front(), rounds[lazy].front()), "x"};
+                     known(paired_ratio(rounds[eager].front(), rounds[lazy].front())), "x"};
   const Figure made = exact_figure(scene + ": inner nodes made by the first ray", 100 * shares.front(), "%");
   const std::string number = std::to_string(counts.back());
   const Figure last{scene + ": time of building and " + number + " rays, eager over lazy",
-                    *paired_ratio(rounds[eager].back(), rounds[lazy].back()), "x"};
+                    known(paired_ratio(rounds[eager].back(), rounds[lazy].back())), "x"};
   const Figure copied{scene + ": the same, eager with triangles copied over lazy",
-                      *paired_ratio(rounds[eager_copied].back(), rounds[lazy].back()), "x"};
+                      known(paired_ratio(rounds[eager_copied].back(), rounds[lazy].back())), "x"};
   for (const Figure& figure : {first, made}) finding.figures.push_back(figure);
   finding.figures.push_back(
       exact_figure(scene + ": inner nodes made by " + number + " rays", 100 * shares.back(), "%"));
@@ -155,7 +155,7 @@ Finding measure_lazy_bih(const Effort& effort) {
     measure_scene(effort, "soup:" + size(300'000, 30'000), finding, conditions);
   });
   conclude(finding, conditions,
-           "Few rays are answered long before a whole tree would stand; for many, building beforehand is ahead.");
+           "Few rays are answered long before a whole tree would stand; for many, building beforehand is ahead");
   return finding;
 }
 

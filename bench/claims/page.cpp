@@ -1,6 +1,7 @@
 #include <string_view>
 
 #include "bench/claims/run.h"
+#include "bench/subcommand.h"
 
 namespace sightline::bench {
 namespace {
@@ -74,7 +75,7 @@ const style_of = (i) => ({ style: `--line: var(--c${i % 6})`, 'stroke-dasharray'
 function ticks(lo, hi) {
   const all = [], step = Math.max(1, Math.ceil((hi - lo) / 6));
   for (let d = Math.floor(lo); d <= hi; ++d)
-    for (const m of hi - lo < 1.2 ? [1, 2, 5] : [1])
+    for (const m of hi - lo < 2.2 ? [1, 2, 5] : [1])
       if ((((d % step) + step) % step) === 0 && d + Math.log10(m) >= lo - 1e-9 && d + Math.log10(m) <= hi + 1e-9) all.push(m * 10 ** d);
   return all;
 }
@@ -163,10 +164,7 @@ for (const claim of data.claims) {
 }  // namespace
 
 std::string page_text(const ClaimsReport& report) {
-  // Nothing in the data may end its element.
-  std::string json;
-  for (const char c : json_text(report)) json += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  return std::string(head) + json + std::string(script);
+  return std::string(head) + json_within_page(json_text(report)) + std::string(script);
 }
 
 }  // namespace sightline::bench

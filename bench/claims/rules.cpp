@@ -83,7 +83,7 @@ Judgement judge(std::span<const Condition> conditions) {
 void conclude(Finding& finding, std::span<const Condition> conditions, std::string_view limit) {
   auto [verdict, reason] = judge(conditions);
   finding.verdict = verdict;
-  finding.reason = verdict == Verdict::with_limit ? std::string(limit) + ' ' + reason : reason;
+  finding.reason = verdict == Verdict::with_limit ? std::string(limit) + ": " + reason : reason;
 }
 
 std::string digits_text(double value) {

@@ -41,7 +41,7 @@ struct Judgement {
 Judgement judge(std::span<const Condition> conditions);
 
 /// Puts the verdict of these conditions into a finding. Where it is with_limit, `limit` is said before the reason: what
-/// the wanted conditions mean, in words.
+/// the broken conditions mean, without a full stop.
 void conclude(Finding& finding, std::span<const Condition> conditions, std::string_view limit);
 
 /// A number as tables show it: whole ones as they are, thousands apart.

@@ -86,10 +86,10 @@ Line ray_line(const TracerPtr& tracer, const std::vector<Ray<float>>& rays) {
           static_cast<double>(rays.size())};
 }
 
-Estimate Times::nanoseconds(std::size_t line) const { return scaled(*estimate_of_present(rounds_[line]), 1e9); }
+Estimate Times::nanoseconds(std::size_t line) const { return scaled(known(estimate_of_present(rounds_[line])), 1e9); }
 
 Estimate Times::ratio(std::size_t over, std::size_t under) const {
-  return *paired_ratio(rounds_[over], rounds_[under]);
+  return known(paired_ratio(rounds_[over], rounds_[under]));
 }
 
 Times time_lines(const Effort& effort, const std::string& what, std::span<const Line> lines, double line_seconds) {

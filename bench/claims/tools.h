@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,6 +44,11 @@ struct Line {
 
 /// Asks a tracer all rays.
 Line ray_line(const TracerPtr& tracer, const std::vector<Ray<float>>& rays);
+
+/// NaN, which is on no side of a limit, where nothing was measured.
+inline Estimate known(const std::optional<Estimate>& estimate) {
+  return estimate.value_or(Estimate{not_asked, not_asked, not_asked, 0});
+}
 
 /// By line, in the order they were given: seconds a unit in each round.
 class Times {

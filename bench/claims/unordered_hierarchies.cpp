@@ -112,7 +112,7 @@ Finding measure_unordered_hierarchies(const Effort& effort) {
   });
   conclude(finding, conditions,
            "Tests grow in proportion to the objects, but boxes of few objects are missed by many rays, so that most "
-           "objects are not tested one by one.");
+           "objects are not tested one by one");
   return finding;
 }
 
