@@ -138,8 +138,8 @@ Finding measure_bsp_cost(const Effort& effort) {
     measure_scene(effort, "sticks:" + size(20'000, 3'000), finding, conditions);
   });
   conclude(finding, conditions,
-           "Each step takes more, but well-chosen planes leave fewer of them and fewer triangles, so that a whole ray "
-           "need not take longer");
+           "Each step takes more, but where few planes do the work of many, a whole ray "
+           "takes less");
   return finding;
 }
 

@@ -133,10 +133,10 @@ Finding measure_grid_cells(const Effort& effort) {
 
 const Claim grid_cells_claim{
     "grid_cells", "Uniform grids waste memory or overlap with cell size.",
-    "Grids of one level with 0.001 to 64 cells wanted a triangle, on an even scene, on surfaces, and on a teapot in a "
-    "stadium: bytes, empty cells, references (a triangle stands in each cell that it overlaps), candidates and time of "
-    "a ray. Beside them the library's grid as it is by itself, which divides crowded cells again. All hits are the "
-    "same.",
+    "Grids of one level with 0.001 to 64 cells wanted a triangle (those left out in which cells divide all the same), "
+    "on an even scene, on surfaces, and on a teapot in a stadium: bytes, empty cells, references (a triangle stands in "
+    "each cell that it overlaps), candidates and time of a ray. Beside them the library's grid as it is by itself, "
+    "which divides crowded cells again. All hits are the same.",
     "Holds if on every scene rays take more than 1.2 times as long both with the largest and with the smallest cells "
     "as with the best, and the smallest take more than twice the memory and hold a triangle more than twice; holds "
     "with a limit if a grid that divides crowded cells beats the best cell size somewhere.",

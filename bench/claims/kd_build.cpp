@@ -153,7 +153,8 @@ Finding measure_kd_build(const Effort& effort) {
     conditions.push_back({kind, steepening, Side::below, limit});
   }
   conclude(finding, conditions,
-           "The counted work of building, and of inserting in a random order, is n log n; not so what follows");
+           "The counted work of building, and of inserting in a random order, is n log n; what else is measured grows "
+           "faster");
   return finding;
 }
 

@@ -125,7 +125,7 @@ void measure_scene(const Effort& effort, const std::string& scene, Finding& find
   const Figure first{scene + ": time to the first answer, eager over lazy",
                      known(paired_ratio(rounds[eager].front(), rounds[lazy].front())), "x"};
   const Figure made = exact_figure(scene + ": inner nodes made by the first ray", 100 * shares.front(), "%");
-  const std::string number = std::to_string(counts.back());
+  const std::string number = count_text(counts.back());
   const Figure last{scene + ": time of building and " + number + " rays, eager over lazy",
                     known(paired_ratio(rounds[eager].back(), rounds[lazy].back())), "x"};
   const Figure copied{scene + ": the same, eager with triangles copied over lazy",

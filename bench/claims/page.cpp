@@ -42,6 +42,7 @@ svg path { fill: none; stroke: var(--line); stroke-width: 2; } svg circle { fill
 .wide { overflow-x: auto; } table { border-collapse: collapse; font-size: 13px; }
 th, td { padding: .15rem .6rem; text-align: left; border-bottom: 1px solid var(--faint); vertical-align: top; }
 td.number, th.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
+@media (max-width: 40rem) { dl { grid-template-columns: 1fr; } dt { margin-top: .4rem; } }
 summary { cursor: pointer; color: var(--link); margin: .4rem 0; }
 </style></head><body>
 <h1>The course's claims, measured</h1>

@@ -85,12 +85,12 @@ void measure_family(const Effort& effort, const std::string& family, Finding& fi
     const Growth growth =
         growth_of("volumes a ray, " + family + ", " + ways[w].name, "objects", "", x, volumes[w], family);
     const Figure exponent{"exponent of " + growth.name, exponent_of(growth), ""};
-    const Figure own = exact_figure(family + ", " + ways[w].name + ": objects whose own volume is tested, of the most",
-                                    own_share[w], "%");
+    const Figure own = exact_figure(
+        family + ", " + ways[w].name + ": objects tested by their own volume, largest scene", own_share[w], "%");
     finding.growths.push_back(growth);
     if (w == random_way || w == ordered_way) {
       finding.figures.push_back(
-          exact_figure(family + ", " + ways[w].name + ": objects tested a ray, of the most", objects[w].back()));
+          exact_figure(family + ", " + ways[w].name + ": objects tested a ray, largest scene", objects[w].back()));
     }
     finding.figures.push_back(exponent);
     finding.figures.push_back(own);
@@ -124,7 +124,7 @@ const Claim unordered_hierarchies_claim{
     "32,000): objects grouped at random, as the mesh lists them, or sorted in space, children walked as they come or "
     "nearer first; beside a list without a hierarchy. Boxes and objects tested are counted; all hits are the same.",
     "Holds if the tests of a hierarchy grouped at random grow with an exponent above 0.9 and those of one sorted in "
-    "space do not, and if in the former, of the most objects, more than 90 % are tested each by its own volume; holds "
+    "space do not, and if in the former, in the largest scene, more than 90 % are tested each by its own volume; holds "
     "with a limit if fewer are.",
     measure_unordered_hierarchies};
 
