@@ -1,6 +1,6 @@
 #include "sightline/accel/bsp_tree.h"
 
-#include <limits>
+#include <stdexcept>
 
 #include "bench/claims/course.h"
 #include "bench/claims/rules.h"
@@ -97,6 +97,8 @@ void measure_scene(const Effort& effort, const std::string& scene, Finding& find
                      },
                      steps[i].all()});
   }
+  if (steps[1].counts[Steps::general] > 0)
+    throw std::logic_error("bsp_cost: an axis plane was taken for a general one");
   for (const TracerPtr& tracer : tracers) lines.push_back(ray_line(tracer, rays));
   const Times times = time_lines(effort, scene, lines);
 

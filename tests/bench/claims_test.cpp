@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -10,6 +11,7 @@
 #include "bench/claims/rules.h"
 #include "bench/claims/run.h"
 #include "bench/claims/tools.h"
+#include "bench/verify.h"
 #include "sightline/math/random.h"
 #include "sightline/query/queries.h"
 #include "sightline/scene/procedural.h"
@@ -74,6 +76,38 @@ TEST(ClaimTools, GrowInHalfDecades) {
   Effort little;
   little.share = 0.02;
   EXPECT_EQ(growing_sizes(little, 10'000, 0), (std::vector<std::size_t>{20, 63, 200}));
+}
+
+TEST(ClaimTools, RefuseHitsThatDiffer) {
+  const auto soup = std::make_shared<const TriangleMesh>(make_soup(100));
+  auto moved = soup->positions();
+  for (Vec3f& p : moved) p.x += 0.01f;
+  const auto other = std::make_shared<const TriangleMesh>(moved, soup->triangles());
+  const auto rays = mixed_rays(soup, 100, 1);
+  const std::vector<TracerPtr> same{traced("kd-tree", soup), traced("bih:lazy=true", soup)},
+      different{traced("kd-tree", soup), traced("box-tree", other)};
+  EXPECT_NO_THROW(require_same_hits("soup", same, rays));
+  EXPECT_THROW(require_same_hits("soup", different, rays), WrongHits);
+}
+
+TEST(ClaimTools, TimeLinesInTurns) {
+  const auto work = [](int count) {
+    return Line{[count] {
+                  double sum = 0;
+                  for (int i = 0; i < count; ++i) sum += std::sqrt(static_cast<double>(i));
+                  return sum;
+                },
+                static_cast<double>(count)};
+  };
+  Effort effort;
+  effort.rounds = 5, effort.share = 0.01;
+  const Line lines[] = {work(20'000), work(200'000)};
+  const Times times = time_lines(effort, "roots", lines);
+  EXPECT_EQ(times.rounds(1).size(), 5u);
+  EXPECT_GT(times.nanoseconds(0).median, 0.05);
+  const Estimate ratio = times.ratio(1, 0);  // of a unit, so about 1
+  EXPECT_GT(ratio.median, 0.2);
+  EXPECT_LT(ratio.median, 5);
 }
 
 TEST(PointTree, FindsWhatIsInARange) {
