@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <vector>
 
@@ -87,7 +88,13 @@ void conclude(Finding& finding, std::span<const Condition> conditions, std::stri
 }
 
 std::string digits_text(double value) {
+  const double size = std::fabs(value);
   const bool is_whole = value == std::floor(value), is_large = value >= 999.5;
+  if (size > 0 && (size < 0x1p-20 || size >= 1e12)) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", value);
+    return text;
+  }
   if (value >= 0 && value < 1e15 && (is_whole || is_large)) return count_text(std::size_t(std::llround(value)));
   return number_text(value);
 }

@@ -5,9 +5,10 @@
 namespace sightline::bench {
 
 const std::vector<Claim>& claims() {
-  static const std::vector<Claim> all{bsp_cost_claim,  kd_build_claim,         kd_search_claim,
-                                      lazy_bih_claim,  bounding_spheres_claim, unordered_hierarchies_claim,
-                                      grid_cells_claim};
+  static const std::vector<Claim> all{bsp_cost_claim,   kd_build_claim,         kd_search_claim,
+                                      lazy_bih_claim,   bounding_spheres_claim, unordered_hierarchies_claim,
+                                      grid_cells_claim, matrices_claim,         csg_claim,
+                                      noise_claim};
   return all;
 }
 

@@ -179,8 +179,8 @@ TEST(Claims, HaveNamesAndAllThatTheySay) {
     }
   }
   EXPECT_EQ(names.size(), claims().size());
-  for (const char* name :
-       {"bsp_cost", "kd_build", "kd_search", "lazy_bih", "bounding_spheres", "unordered_hierarchies", "grid_cells"}) {
+  for (const char* name : {"bsp_cost", "kd_build", "kd_search", "lazy_bih", "bounding_spheres", "unordered_hierarchies",
+                           "grid_cells", "matrices", "csg", "noise"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
 }
