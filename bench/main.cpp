@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "bench/bars.h"
+#include "bench/claims/run.h"
 #include "bench/command_line.h"
 #include "bench/graph/run.h"
 #include "bench/growth.h"
@@ -97,7 +98,7 @@ struct Subcommand {
 constexpr Subcommand subcommands[] = {{"solids", run_solids_command},       {"torus", run_torus_command},
                                       {"noise", run_noise_command},         {"graph", run_graph_command},
                                       {"instances", run_instances_command}, {"moving", run_moving_command},
-                                      {"render", run_render_command}};
+                                      {"render", run_render_command},       {"claims", run_claims_command}};
 
 }  // namespace
 }  // namespace sightline::bench

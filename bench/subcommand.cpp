@@ -40,6 +40,12 @@ std::string machine_text(const Machine& machine, const std::string& beside) {
   return text;
 }
 
+std::string json_within_page(const std::string& json) {
+  std::string text;
+  for (const char c : json) text += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return text;
+}
+
 std::vector<Level> parse_levels(const std::vector<std::string>& names) {
   std::vector<Level> levels;
   for (const std::string& name : names) {

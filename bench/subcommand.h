@@ -36,6 +36,9 @@ void require_known(const std::string& what, const std::string& name, const std::
 /// On standard output, at once. \throws std::runtime_error
 void print(const std::string& text);
 
+/// As it may stand in an element of a page: nothing in the data ends that.
+std::string json_within_page(const std::string& json);
+
 /// Prints the head of a report before its first table, and the tables as they come.
 class TablePrinter {
  public:

@@ -2,6 +2,7 @@
 /// What is traded for time: an axis is one question ("how is a triangle tested?"), its panels are the conditions under
 /// which it is asked, and a panel's choices are the answers, each with its error and its price.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -52,8 +53,12 @@ struct Effort {
   std::uint64_t seed = 1;
   std::string data_dir{};
   std::function<void(const std::string&)> tell{};  ///< Of what is under way.
+  int rounds = 9;                                  ///< Of timing, for those who time themselves.
+  double share = 1;                                ///< Of all counts: a small one says nothing, but soon.
 
-  std::size_t count(std::size_t full, std::size_t quick) const { return is_quick ? quick : full; }
+  std::size_t count(std::size_t full, std::size_t quick) const {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(share * static_cast<double>(is_quick ? quick : full)));
+  }
   void say(const std::string& what) const {
     if (tell) tell(what);
   }

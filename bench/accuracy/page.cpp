@@ -1,6 +1,7 @@
 #include <string_view>
 
 #include "bench/accuracy/run.h"
+#include "bench/subcommand.h"
 
 namespace sightline::bench {
 namespace {
@@ -191,10 +192,7 @@ for (const [kind, sign, text] of [['front', '\u25cf', ' on the front'], ['open',
 }  // namespace
 
 std::string page_text(const AccuracyReport& report) {
-  // Nothing in the data may end its element.
-  std::string json;
-  for (const char c : json_text(report)) json += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  return std::string(head) + json + std::string(script);
+  return std::string(head) + json_within_page(json_text(report)) + std::string(script);
 }
 
 }  // namespace sightline::bench

@@ -32,6 +32,7 @@ for line in "${commands[@]}"; do
     './sightline stability ') [[ $line == *--explain* ]] || words+=(--group build) ;;
     './sightline bench ') [[ $line == *--quick* ]] || words+=(--quick) ;;
     './sightline accuracy ') [[ $line == *--axis* ]] || words+=(--axis box --quick --rounds 3) ;;
+    './sightline claims ') [[ $line == *--claim* ]] || words+=(--claim grid_cells --rounds 3) ;;
   esac
   for word in "${words[@]:1}"; do
     [[ $word != */*.* || $word == /* ]] || mkdir -p "$work/$(dirname -- "$word")"

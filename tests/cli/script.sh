@@ -8,7 +8,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
 run "$root/sightline" help
 expect_exit 0
 expect_quiet
-for name in tour test bench accuracy view probe noise scenes stability render plan doctor help; do expect_prints "  $name "; done
+for name in tour test bench accuracy claims view probe noise scenes stability render plan doctor help; do expect_prints "  $name "; done
 run "$root/sightline" --help
 expect_exit 0
 run "$root/sightline"
