@@ -83,36 +83,35 @@ expect_no_file
 slow=(teapot:1 --size 40x30 --samples 16 --error 0.02 --aov cost --out a.exr)
 run "$fake" "${slow[@]}"
 cp "$work/a.exr" "$scratch/whole.exr"
-# end_after SECONDS|FILE SIGNAL...: of a run that would take some four seconds; where a file is named, as soon as it is
-# there, however slow the machine.
+# end_after FILE|SECONDS SIGNAL...: of a run that would take some four seconds, as soon as the file is there, or so long
+# after its first sample, however slow the machine.
 end_after() {
-  local after=$1 signal process
+  local after=$1 file=$scratch/started pause=$1 signal process
   shift
+  if [[ $after != [0-9]* ]]; then file=$after pause=0; fi
   ran="${slow[*]} ended after $after by $*"
+  rm -f -- "$scratch/started"
   (
     cd -- "$work"
-    SIGHTLINE_FAKE_DELAY=500 "$fake" "${slow[@]}" "${more[@]}" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null &
+    SIGHTLINE_FAKE_STARTED=$scratch/started SIGHTLINE_FAKE_DELAY=500 \
+      "$fake" "${slow[@]}" "${more[@]}" >"$scratch/stdout" 2>"$scratch/stderr" </dev/null &
     process=$!
-    if [[ $after == [0-9]* ]]; then
-      sleep "$after"
-    else
-      while [ ! -e "$after" ] && kill -0 "$process" 2>/dev/null; do sleep 0.05; done
-    fi
+    while [ ! -e "$file" ] && kill -0 "$process" 2>/dev/null; do sleep 0.05; done
+    sleep "$pause"
     for signal; do kill -"$signal" "$process" 2>/dev/null; sleep 0.3; done
     wait "$process" 2>/dev/null
   ) && status=0 || status=$?
 }
 rm -rf -- "$work" && mkdir -p "$work"
 more=()
-end_after 1 TERM
+end_after 0.6 TERM
 expect_exit 143
-expect_one_line
 expect_says '% of its samples; the same command with --resume goes on'
 expect_file a.exr
 expect_file a.exr.checkpoint
 check 'two files' test "$(find "$work" -type f | wc -l)" = 2
 more=(--resume)
-end_after 0.5 TERM
+end_after 0.3 TERM
 expect_exit 143
 run_again "$fake" "${slow[@]}" --resume --threads 1
 expect_exit 0
@@ -122,7 +121,7 @@ check 'no checkpoint any more' test "$(ls -A "$work")" = a.exr
 # Signalled twice in one go, as timeout does with a program of its own process group. Scripts' own background processes
 # ignore SIGINT.
 rm -rf -- "$work" && mkdir -p "$work"
-run_again env SIGHTLINE_FAKE_DELAY=500 timeout --preserve-status -s INT 1 "$fake" "${slow[@]}"
+run_again env SIGHTLINE_FAKE_DELAY=3000 timeout --preserve-status -s INT 5 "$fake" "${slow[@]}" --quiet
 expect_exit 130
 expect_file a.exr.checkpoint
 cp "$work/a.exr.checkpoint" "$scratch/checkpoint"
@@ -141,7 +140,7 @@ check 'the same bytes as without a stop' cmp "$work/a.exr" "$scratch/whole.exr"
 rm -rf -- "$work" && mkdir -p "$work"
 more=()
 slow=(teapot:1 --size 3000x3000 --samples 16 --out a.exr)
-end_after 2 TERM TERM
+end_after 0.6 TERM TERM
 expect_exit 143
 check 'no file, or whole ones' bash -c "! ls -A '$work' | grep -q '^\.'"
 

@@ -1,7 +1,9 @@
 /// What sightline-render is linked with to render noise instead, as slow as SIGHTLINE_FAKE_DELAY says, in microseconds
-/// a sample. The scene is read, and then not looked at.
+/// a sample. The scene is read, and then not looked at. SIGHTLINE_FAKE_STARTED names a file that appears with the first
+/// sample.
 
 #include <cstdlib>
+#include <fstream>
 #include <ostream>
 #include <thread>
 
@@ -16,11 +18,17 @@ class SlowSource : public FakeSource {
   using FakeSource::FakeSource;
   Vec3d sample(int x, int y, std::uint32_t number) const override {
     if (delay_.count() > 0) std::this_thread::sleep_for(delay_);
+    static const bool is_told = tell();
+    if (!is_told) throw std::runtime_error("SIGHTLINE_FAKE_STARTED: cannot be written");
     if (std::getenv("SIGHTLINE_FAKE_FAILURE") && number == 2) throw std::runtime_error("the source has failed");
     return FakeSource::sample(x, y, number);
   }
 
  private:
+  static bool tell() {
+    const char* file = std::getenv("SIGHTLINE_FAKE_STARTED");
+    return !file || static_cast<bool>(std::ofstream(file));
+  }
   static std::chrono::microseconds delay() {
     const char* text = std::getenv("SIGHTLINE_FAKE_DELAY");
     return std::chrono::microseconds(text ? std::atoi(text) : 0);
