@@ -90,6 +90,22 @@ TEST_P(EveryStructure, HasTheCellOfEveryStepBelowTheRoot) {
   }
 }
 
+TEST(WalkOfAGrid, EmptyCellsAreTheWholeGrids) {
+  const auto tracer = make_tracer("grid", load_scene("teapot", SIGHTLINE_SOURCE_DIR "/data"));
+  const Aabb& bounds = tracer->mesh().bounds();
+  const Walk walk = record_walk(*tracer, {bounds.hi, bounds.lo - bounds.hi});  // from corner to corner
+  std::size_t unshown = 0;
+  for (const WalkStep& step : walk.steps) {
+    const std::size_t cell = walk.cell_of(step.node);
+    if (walk.cells[cell].cell.node == step.node) continue;
+    ++unshown;
+    EXPECT_EQ(cell, 0u);
+    EXPECT_EQ(step.kind, WalkStep::Kind::visit);
+  }
+  EXPECT_GT(unshown, 0u);
+  EXPECT_THROW(walk.cell_of(0xffffffff), std::out_of_range);
+}
+
 TEST_P(EveryStructure, WhatIsPutAsideIsTakenUpOrDropped) {
   const auto mesh = load_scene("soup:400", "");
   const auto tracer = make_tracer(GetParam(), mesh);

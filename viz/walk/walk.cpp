@@ -117,8 +117,12 @@ Walk record_walk(const Tracer& tracer, const Ray<float>& ray) {
     path.resize(level);
     path.push_back({cell, std::nullopt});
     const bool is_beside = walk.puts_aside_ && level > 0 && opened.contains(path[level - 1].cell.node);
-    if (is_beside || opened.contains(cell.node)) keep(level);
+    const bool is_root_of_walk = level == 0 && !walk.steps.empty();
+    if (is_root_of_walk || is_beside || opened.contains(cell.node)) keep(level);
   });
+  for (const WalkStep& step : walk.steps) {
+    if (step.kind == Kind::visit && !walk.cells.empty()) walk.by_node_.emplace(step.node, 0);
+  }
   return walk;
 }
 
