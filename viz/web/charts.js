@@ -26,7 +26,7 @@ function ticks(most, count, least = 0) {
 
 // How many rays took how much work; a line marks the ray whose walk is shown.
 function draw_work(structure, own_work) {
-  const { chart, width, height } = blank('work', 230), left = 52, bottom = 42, top = 22;
+  const { chart, width, height } = blank('work', 230), left = 52, bottom = 42, top = 30;
   const edges = data.work_edges, sum = structure.work.reduce((a, b) => a + b, 0) || 1;
   const shares = structure.work.map((n) => 100 * n / sum), most = Math.max(...shares);
   const used = edges.length - 1, step = (width - left - 8) / used;
@@ -57,7 +57,7 @@ function draw_work(structure, own_work) {
 
 // Inner cells and leaves of each depth, on a logarithmic scale.
 function draw_depths(structure, depth) {
-  const { chart, width, height } = blank('depths', 230), left = 66, bottom = 42, top = 22;
+  const { chart, width, height } = blank('depths', 230), left = 66, bottom = 42, top = 30;
   const all = structure.depths, octaves = Math.max(1, Math.ceil(Math.log10(Math.max(...all.flat()) + 1)));
   const y = (n) => height - bottom - (n > 0 ? (Math.log10(n) + 0.15) / (octaves + 0.15) : 0) * (height - bottom - top);
   for (let power = 0; power <= octaves; ++power) {
@@ -88,8 +88,9 @@ const lanes = { top: 26, bottom: 72, left: 66 };
 
 function time_scales(walk, width, height) {
   const { t, far, kind, flags } = walk.steps, values = [];
+  // The root may have no entry of its own: then it stands at the lower end.
   for (let i = 0; i < t.length; ++i) {
-    if (kind[i] !== 2 || flags[i]) values.push(t[i]);
+    if ((kind[i] !== 2 || flags[i]) && (i > 0 || t.length === 1)) values.push(t[i]);
     if (Number.isFinite(far[i])) values.push(far[i]);
   }
   const lo = values.reduce((a, b) => Math.min(a, b), Infinity), hi = values.reduce((a, b) => Math.max(a, b), -Infinity);
@@ -98,11 +99,11 @@ function time_scales(walk, width, height) {
     from, span: 1.1 * span,
     x: (i) => lanes.left + (i + 0.5) * (width - lanes.left - 12) / Math.max(1, t.length),
     y: (value) => Number.isFinite(value) ? height - lanes.bottom -
-      (value - from) / (1.1 * span) * (height - lanes.bottom - lanes.top - 14) : lanes.top,
+      Math.max(0, value - from) / (1.1 * span) * (height - lanes.bottom - lanes.top - 14) : lanes.top,
   };
 }
 
-// Marks of one kind as one path: circle, square, stroke, cross.
+// Mark of one kind as one path: circle, square, stroke, cross.
 function mark(kind, x, y, size) {
   const s = size;
   return [`M${x - s} ${y}a${s} ${s} 0 1 0 ${2 * s} 0a${s} ${s} 0 1 0 ${-2 * s} 0`, `M${x - s} ${y - s}h${2 * s}v${2 * s}h${-2 * s}z`,

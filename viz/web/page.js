@@ -59,6 +59,7 @@ function sentence_of(w, step) {
   const { kind, cell, t, far, flags, triangle, id, skipped } = w.steps, c = cell[step], { cells } = w;
   const place = `${number_of(cells, c)}, depth ${cells.depth[c]},`;
   const before = skipped[step] ? `After ${commas(skipped[step])} triangles that it misses, the ray ` : 'The ray ';
+  if (flags[step] & 4) return `The ray passes an empty part of node ${place} from t = ${digits(t[step])} on.`;
   if (kind[step] === 0) return `The ray opens ${cells.leaf[c] ? 'empty cell' : 'inner node'} ${place} which it enters at t = ${digits(t[step])}.`;
   if (kind[step] === 1) {
     return `The ray opens leaf ${place} which it enters at t = ${digits(t[step])}, and has ${commas(cells.count[c])} ` +

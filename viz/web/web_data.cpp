@@ -116,12 +116,12 @@ class StepArrays {
 
   void skip() { ++skipped_; }
 
-  /// `place`: what the step would be if none had been left out.
-  void add(const WalkStep& step, std::size_t cell) {
+  /// `is_again`: of a cell that was opened before, or stands for one that is not shown.
+  void add(const WalkStep& step, std::size_t cell, bool is_again) {
     kind_.push_back(static_cast<std::uint8_t>(step.kind));
     cell_.push_back(static_cast<std::uint32_t>(cell));
     skipped_before_.push_back(std::exchange(skipped_, 0));
-    flags_.push_back(static_cast<std::uint8_t>(step.is_crossed + 2 * step.is_hit));
+    flags_.push_back(static_cast<std::uint8_t>(step.is_crossed + 2 * step.is_hit + 4 * is_again));
     t_.push_back(static_cast<float>(step.t));
     far_.push_back(static_cast<float>(step.far));
     triangle_.push_back(0);
@@ -166,7 +166,8 @@ json walk_data(const Walk& walk, const TriangleMesh& mesh) {
       steps.skip();
       continue;
     }
-    steps.add(step, walk.cell_of(step.node));
+    const std::size_t cell = walk.cell_of(step.node);
+    steps.add(step, cell, step.kind == WalkStep::Kind::visit && walk.cells[cell].opened != i);
     ++kept;
   }
   CellArrays cells;

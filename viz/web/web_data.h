@@ -16,8 +16,9 @@ inline constexpr std::size_t web_steps = 20'000;
 ///   sphere      center, radius
 ///   cylinder    center, axis of unit length, radius, half of its length
 ///   polyhedron  vertices, faces, the vertices' places, of each face its number of corners and these
-/// Walks have cells and, of each, the steps at which it was put aside (`since_u32`) and taken up (`until_u32`); equal
-/// where it never was.
+/// Steps have `flags_u8`: 1 for a candidate that is crossed, 2 for one that becomes the nearest hit, 4 where an empty
+/// part of the cell is passed. Walks have cells and, of each, the steps at which it was put aside (`since_u32`) and
+/// taken up (`until_u32`); equal where it never was.
 nlohmann::json web_data(const WebModel& model);
 
 }  // namespace sightline::viz
