@@ -2,14 +2,23 @@
 // What the page is told, and how cells become lines.
 
 const data = JSON.parse(document.getElementById('data').textContent);
-const types = { u8: Uint8Array, u16: Uint16Array, u32: Uint32Array, i32: Int32Array, f32: Float32Array };
+const types = {
+  u8: Uint8Array,
+  u16: Uint16Array,
+  u32: Uint32Array,
+  i32: Int32Array,
+  f32: Float32Array
+};
 
 // {name_u8: base64, ...} as {name: typed array, ...}; what is no array stays.
 function unpacked(packed) {
   const all = {};
   for (const [key, value] of Object.entries(packed)) {
     const [, name, type] = key.match(/^(\w+)_([uif]\d+)$/) ?? [];
-    if (!type) { all[key] = value; continue; }
+    if (!type) {
+      all[key] = value;
+      continue;
+    }
     const text = atob(value), bytes = new Uint8Array(text.length);
     for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
     all[name] = new types[type](bytes.buffer);
@@ -25,7 +34,7 @@ function polyhedron(shape, at) {
     faces.push(Array.from(shape.subarray(place + 1, place + 1 + shape[place])));
     place += 1 + shape[place];
   }
-  return { vertex: (i) => [0, 1, 2].map((axis) => shape[at + 2 + 3 * i + axis]), faces, length: place - at };
+  return {vertex: (i) => [0, 1, 2].map((axis) => shape[at + 2 + 3 * i + axis]), faces, length: place - at};
 }
 
 // Cells of unpacked arrays, with the place of each one's shape.
@@ -41,8 +50,12 @@ function with_places(cells) {
 
 const box_edges = [0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-const scaled = (v, length) => { const n = length / Math.hypot(...v); return v.map((x) => x * n); };
-const box_corner = (shape, at, i) => [shape[at + (i & 1 ? 3 : 0)], shape[at + (i & 2 ? 4 : 1)], shape[at + (i & 4 ? 5 : 2)]];
+const scaled = (v, length) => {
+  const n = length / Math.hypot(...v);
+  return v.map((x) => x * n);
+};
+const box_corner =
+    (shape, at, i) => [shape[at + (i & 1 ? 3 : 0)], shape[at + (i & 2 ? 4 : 1)], shape[at + (i & 4 ? 5 : 2)]];
 
 function push_circle(out, center, axis, radius) {
   const steps = 24, x = scaled(cross(Math.abs(axis[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0], axis), radius);
@@ -55,12 +68,14 @@ function push_circle(out, center, axis, radius) {
 }
 
 function push_cylinder(out, s) {
-  const center = s.slice(0, 3), axis = s.slice(3, 6), ends = [-s[7], s[7]].map((half) => center.map((c, k) => c + half * axis[k]));
+  const center = s.slice(0, 3), axis = s.slice(3, 6),
+        ends = [-s[7], s[7]].map((half) => center.map((c, k) => c + half * axis[k]));
   const from = out.length;
   for (const end of ends) push_circle(out, end, axis, s[6]);
   const ring = (out.length - from) / 2;
   for (let side = 0; side < 4; ++side) {
-    for (const end of [0, 1]) for (let k = 0; k < 3; ++k) out.push(out[from + end * ring + side * 36 + k]);
+    for (const end of [0, 1])
+      for (let k = 0; k < 3; ++k) out.push(out[from + end * ring + side * 36 + k]);
   }
 }
 
@@ -77,7 +92,7 @@ function push_polyhedron(out, solid) {
 
 // Appends the ends of a cell's lines, three numbers a point. Of a sphere the circle that faces `axis`, or three.
 function push_outline(out, cells, i, axis) {
-  const { shape } = cells, at = cells.place[i];
+  const {shape} = cells, at = cells.place[i];
   if (cells.kind[i] === 0) {
     for (const corner of box_edges) out.push(...box_corner(shape, at, corner));
   } else if (cells.kind[i] === 1) {
@@ -106,7 +121,7 @@ function outlines(cells, axis) {
       extent[6 * i + k] = lo, extent[6 * i + 3 + k] = hi;
     }
   }
-  return { points: Float32Array.from(points), first, extent };
+  return {points: Float32Array.from(points), first, extent};
 }
 
 const prepared = new Map();
@@ -123,7 +138,7 @@ function structure_at(index) {
       all.totals = totals(all.steps);
       return all;
     });
-    prepared.set(index, { ...raw, cells, walks });
+    prepared.set(index, {...raw, cells, walks});
   }
   return prepared.get(index);
 }
@@ -131,7 +146,7 @@ function structure_at(index) {
 // Outlines; spheres are drawn anew when the view has turned.
 function lines_toward(structure, axis) {
   const key = structure.cells.kind[0] === 1 && axis ? axis.map((x) => x.toFixed(3)).join() : 'all';
-  if (structure.lines_key !== key) Object.assign(structure, { lines: outlines(structure.cells, axis), lines_key: key });
+  if (structure.lines_key !== key) Object.assign(structure, {lines: outlines(structure.cells, axis), lines_key: key});
   return structure.lines;
 }
 
@@ -149,12 +164,14 @@ const counters_at = (walk, step) => Array.from(walk.totals.subarray(4 * (step + 
 // Cells on the stack after a step, the next to be taken up first.
 function stack_at(walk, step) {
   const all = [];
-  for (let i = 0; i < walk.since.length; ++i) if (walk.since[i] <= step && step < walk.until[i]) all.push(i);
+  for (let i = 0; i < walk.since.length; ++i)
+    if (walk.since[i] <= step && step < walk.until[i]) all.push(i);
   return all.sort((a, b) => walk.until[a] - walk.until[b]);
 }
 
 function hit_at(walk, step) {
-  for (let i = Math.min(step, walk.steps.kind.length - 1); i >= 0; --i) if (walk.steps.flags[i] & 2) return i;
+  for (let i = Math.min(step, walk.steps.kind.length - 1); i >= 0; --i)
+    if (walk.steps.flags[i] & 2) return i;
   return -1;
 }
 

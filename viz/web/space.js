@@ -2,7 +2,7 @@
 
 class Space {
   constructor(canvas) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true});
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.localClippingEnabled = true;
     this.scene = new THREE.Scene();
@@ -16,15 +16,18 @@ class Space {
     this.plane = new THREE.Plane();
     this.add_lights();
     this.add_mesh();
-    this.cell_lines = this.add(new THREE.LineSegments(new THREE.BufferGeometry(),
-      new THREE.LineBasicMaterial({ vertexColors: THREE.VertexColors })));
+    this.cell_lines = this.add(new THREE.LineSegments(
+        new THREE.BufferGeometry(), new THREE.LineBasicMaterial({vertexColors: THREE.VertexColors})));
     this.walk = this.add(new THREE.Group());
     this.look_from('side');
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.resize();
   }
 
-  add(object) { this.scene.add(object); return object; }
+  add(object) {
+    this.scene.add(object);
+    return object;
+  }
 
   add_lights() {
     for (const [strength, ...place] of [[0.75, -0.6, 0.9, 1], [0.35, 0.8, 0.1, 1]]) {
@@ -36,7 +39,7 @@ class Space {
   }
 
   add_mesh() {
-    const { position, corner } = unpacked(data.mesh), points = new Float32Array(position.length);
+    const {position, corner} = unpacked(data.mesh), points = new Float32Array(position.length);
     for (let i = 0; i < points.length; ++i) {
       const [lo, hi] = [data.bounds[0][i % 3], data.bounds[1][i % 3]];
       points[i] = lo + (hi - lo) * position[i] / 65535;
@@ -45,8 +48,10 @@ class Space {
     geometry.setAttribute('position', new THREE.BufferAttribute(points, 3));
     geometry.setIndex(new THREE.BufferAttribute(corner, 1));
     geometry.computeVertexNormals();
-    this.mesh = this.add(new THREE.Mesh(geometry, new THREE.MeshLambertMaterial(
-      { side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 })));
+    this.mesh = this.add(new THREE.Mesh(
+        geometry,
+        new THREE.MeshLambertMaterial(
+            {side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1})));
   }
 
   // 'front' is where rays are picked from; 'side' shows them from aside.
@@ -61,11 +66,11 @@ class Space {
   }
 
   resize() {
-    const { clientWidth: width, clientHeight: height } = this.renderer.domElement.parentElement;
+    const {clientWidth: width, clientHeight: height} = this.renderer.domElement.parentElement;
     if (!width || !height) return;
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    this.camera.fov = 30 * Math.max(1, Math.min(2, 1.15 * height / width)); // narrow screens see as much
+    this.camera.fov = 30 * Math.max(1, Math.min(2, 1.15 * height / width));  // narrow screens see as much
     this.camera.updateProjectionMatrix();
     for (const line of this.walk.children) line.material.resolution?.set(width, height);
     this.draw_soon();
@@ -83,9 +88,7 @@ class Space {
   }
 
   // Unit vector toward the eye.
-  view_axis() {
-    return this.camera.position.clone().sub(this.controls.target).normalize().toArray();
-  }
+  view_axis() { return this.camera.position.clone().sub(this.controls.target).normalize().toArray(); }
 
   // As a PNG in base64; for tests.
   picture() {
@@ -145,9 +148,15 @@ class Space {
     if (points.length === 0) return;
     for (const is_hidden of [true, false]) {
       const geometry = new THREE.LineSegmentsGeometry().setPositions(points);
-      const material = new THREE.LineMaterial({ color: new THREE.Color(color).getHex(), linewidth: width,
-        depthTest: !is_hidden, transparent: is_hidden, opacity: is_hidden ? 0.3 : 1, depthWrite: !is_hidden });
-      const { clientWidth, clientHeight } = this.renderer.domElement;
+      const material = new THREE.LineMaterial({
+        color: new THREE.Color(color).getHex(),
+        linewidth: width,
+        depthTest: !is_hidden,
+        transparent: is_hidden,
+        opacity: is_hidden ? 0.3 : 1,
+        depthWrite: !is_hidden
+      });
+      const {clientWidth, clientHeight} = this.renderer.domElement;
       material.resolution.set(clientWidth, clientHeight);
       const object = new THREE.LineSegments2(geometry, material);
       object.renderOrder = is_hidden ? 2 : 3;
@@ -159,16 +168,21 @@ class Space {
   add_triangles(points, color, opacity) {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.BufferAttribute(Float32Array.from(points), 3));
-    const material = new THREE.MeshBasicMaterial({ color, side: THREE.DoubleSide, transparent: true, opacity,
-      depthTest: false, depthWrite: false });
-    this.walk.add(Object.assign(new THREE.Mesh(geometry, material), { renderOrder: 1 }));
+    const material = new THREE.MeshBasicMaterial(
+        {color, side: THREE.DoubleSide, transparent: true, opacity, depthTest: false, depthWrite: false});
+    this.walk.add(Object.assign(new THREE.Mesh(geometry, material), {renderOrder: 1}));
   }
 
   add_point(place, color, size) {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.BufferAttribute(Float32Array.from(place), 3));
-    const material = new THREE.PointsMaterial({ color, size: size * this.renderer.getPixelRatio(), sizeAttenuation: false,
-      depthTest: false, transparent: true });
-    this.walk.add(Object.assign(new THREE.Points(geometry, material), { renderOrder: 4 }));
+    const material = new THREE.PointsMaterial({
+      color,
+      size: size * this.renderer.getPixelRatio(),
+      sizeAttenuation: false,
+      depthTest: false,
+      transparent: true
+    });
+    this.walk.add(Object.assign(new THREE.Points(geometry, material), {renderOrder: 4}));
   }
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <queue>
 #include <type_traits>
 
@@ -13,7 +12,9 @@ namespace sightline::viz {
 namespace {
 
 constexpr std::size_t many_parts = 130;  // children of a root, as suit_filter() has it
-constexpr int coarse_width = 200;        // of the picture whose work is counted
+
+/// Of the picture whose work is counted. Brute force does the same for every ray, and takes its time.
+int coarse_width(const Tracer& tracer) { return tracer.name() == "brute-force" ? 32 : 200; }
 
 /// What a cell takes in the page or, where that is more, in the browser, which draws round ones from many lines.
 std::size_t bytes_of(const Cell& cell) {
@@ -74,6 +75,15 @@ int readable_depth(const std::vector<DepthCount>& depths, std::size_t readable) 
   return static_cast<int>(depths.size()) - 1;
 }
 
+/// The pixels at this distance along an axis.
+std::vector<std::pair<int, int>> square_around(int x, int y, int ring) {
+  if (ring == 0) return {{x, y}};
+  std::vector<std::pair<int, int>> pixels;
+  for (int i = -ring; i <= ring; ++i) pixels.insert(pixels.end(), {{x + i, y - ring}, {x + i, y + ring}});
+  for (int i = 1 - ring; i < ring; ++i) pixels.insert(pixels.end(), {{x - ring, y + i}, {x + ring, y + i}});
+  return pixels;
+}
+
 }  // namespace
 
 std::size_t WebStructure::cell_count() const {
@@ -96,8 +106,8 @@ WebModel web_model(const std::string& scene, std::shared_ptr<const TriangleMesh>
 
 std::vector<std::uint32_t> work_of_picture(const Tracer& tracer, const Camera& camera) {
   Camera coarse = camera;
-  coarse.width = coarse_width;
-  coarse.height = std::max(1, static_cast<int>(std::lround(double(coarse_width) * camera.height / camera.width)));
+  coarse.width = coarse_width(tracer);
+  coarse.height = std::max(1, static_cast<int>(std::lround(double(coarse.width) * camera.height / camera.width)));
   return trace_picture(tracer, coarse).work;
 }
 
@@ -128,19 +138,20 @@ WebStructure web_structure(const Tracer& tracer, const std::string& label, const
 }
 
 WebRay middle_ray(const Tracer& tracer, const Camera& camera) {
-  const std::vector<Ray<float>> rays = primary_rays(camera);
-  std::vector<std::uint8_t> is_hit(rays.size());
-  tracer.any_hits(rays, is_hit);
-  int best_x = camera.width / 2, best_y = camera.height / 2;
-  double best = std::numeric_limits<double>::infinity();
-  for (int y = 0; y < camera.height; ++y) {
-    for (int x = 0; x < camera.width; ++x) {
-      const double distance = std::hypot(x - camera.width / 2, y - camera.height / 2);
-      if (!is_hit[static_cast<std::size_t>(y) * camera.width + x] || distance >= best) continue;
-      best = distance, best_x = x, best_y = y;
+  const int x = camera.width / 2, y = camera.height / 2;
+  const auto chosen = [&](int px, int py) {
+    return WebRay{"--pick " + std::to_string(px) + "," + std::to_string(py), camera.ray(px, py)};
+  };
+  for (int ring = 0; ring < std::max(camera.width, camera.height); ++ring) {
+    for (const auto& [px, py] : square_around(x, y, ring)) {
+      if (px < 0 || py < 0 || px >= camera.width || py >= camera.height) continue;
+      const Ray<float> ray = camera.ray(px, py);
+      std::uint8_t is_hit = 0;
+      tracer.any_hits({&ray, 1}, {&is_hit, 1});
+      if (is_hit) return chosen(px, py);
     }
   }
-  return {"--pick " + std::to_string(best_x) + "," + std::to_string(best_y), camera.ray(best_x, best_y)};
+  return chosen(x, y);
 }
 
 }  // namespace sightline::viz

@@ -66,8 +66,8 @@ std::vector<std::uint32_t> work_of_picture(const Tracer& tracer, const Camera& c
 WebStructure web_structure(const Tracer& tracer, const std::string& label, const WebModel& model,
                            std::size_t cell_bytes);
 
-/// The ray through the pixel nearest to the middle of the picture at which anything is hit; of an empty picture the
-/// one through its middle.
+/// The ray through a pixel near the middle of the picture at which anything is hit: of the smallest square around the
+/// middle that has one. Of an empty picture that through its middle.
 WebRay middle_ray(const Tracer& tracer, const Camera& camera);
 
 }  // namespace sightline::viz
