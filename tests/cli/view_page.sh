@@ -46,7 +46,7 @@ cp "$work/a.html" "$scratch/once.html"
 run "${soup[@]}" --accel all --threads 1 --html a.html
 check 'the same page again' cmp -s "$scratch/once.html" "$work/a.html"
 
-page=("$view" page --accel kd-tree,box-tree,grid --scene teapot --pick 600,450 --ray 0,1,9,0.02,0.01,-1 --html a.html)
+page=("$view" page --accel 'kd-tree,box-tree,grid' --pick '600,450' --ray '0,1,9,0.02,0.01,-1' --html a.html)
 run "${page[@]}"
 expect_exit 0
 expect_quiet
@@ -73,7 +73,7 @@ PYTHON
 check 'two steps to compare' test "$(wc -l <"$scratch/expected")" = 2
 
 if type -P chromium >/dev/null && type -P node >/dev/null; then
-  # What expressions with a value print.
+  # Keeps what expressions with a value print.
   browsing() {
     run_again node "$browse" a.html --size 1280x900 "$@"
     expect_exit 0
@@ -83,16 +83,13 @@ if type -P chromium >/dev/null && type -P node >/dev/null; then
   now='JSON.stringify([sightline.state.cell, sightline.state.counters, sightline.state.stack])'
   right=(--key ArrowRight --key ArrowRight --key ArrowRight)
 
+  # Steps; then, at the last one, all structures have counted what the table on stdout tells of both rays.
   browsing --eval "document.getElementById('trouble').hidden" --eval "$(tab 1)" "${right[@]}" "${right[@]}" --eval "$now" \
     --eval "for (let i = 0; i < 6; ++i) document.getElementById('forward').click()" --eval "$now" \
     --key ArrowLeft --eval 'sightline.state.step' --key Home --eval 'sightline.state.step' \
     --eval "[...document.querySelectorAll('#counters dd')].map((dd) => dd.textContent).join()" \
-    --key Space --eval 'new Promise((done) => setTimeout(() => done(sightline.state.step > 0), 2500))' --key Space
-  check 'cells, counters and stacks of steps, by keys and buttons' diff "$scratch/told" - \
-    <<<"$(printf 'true\n%s\n%s\n11\n0\n1,0,0,0\ntrue' "$(head -1 "$scratch/expected")" "$(tail -1 "$scratch/expected")")"
-
-  # At the last step all structures have counted what the table on stdout tells of both rays.
-  browsing --eval "document.querySelectorAll('#tabs button').forEach((tab) => {})" --eval "JSON.stringify(
+    --key Space --eval 'new Promise((done) => setTimeout(() => done(sightline.state.step > 0), 1000))' --key Space \
+    --eval "JSON.stringify(
     sightline.data.structures.map((raw, i) => sightline.data.rays.map((ray, r) => {
       document.querySelectorAll('#tabs button')[i].click();
       const choice = document.getElementById('ray');
@@ -100,7 +97,13 @@ if type -P chromium >/dev/null && type -P node >/dev/null; then
       sightline.go_to(1e9);
       return [raw.label, ...sightline.state.counters].join(' ');
     }))).replace(/[\[\]\"]/g, '').replaceAll(',', '\n')"
-  check 'counters of the table' diff "$scratch/told" <(awk 'NR > 1 {print $1, $3, $4, $5, $6}' "$scratch/walks")
+  {
+    printf 'true\n%s\n%s\n' "$(head -1 "$scratch/expected")" "$(tail -1 "$scratch/expected")"
+    printf '11\n0\n1,0,0,0\ntrue\n'
+    awk 'NR > 1 {print $1, $3, $4, $5, $6}' "$scratch/walks"
+  } >"$scratch/wanted"
+  check 'cells, counters and stacks of steps, by keys and buttons; the counters of the table' \
+    diff "$scratch/told" "$scratch/wanted"
 
   # Depth, leaves and cuts change what is drawn; a drag turns it; the address keeps it all.
   differ='sightline.picture() !== window.before && (window.before = sightline.picture(), true)'
@@ -110,18 +113,17 @@ if type -P chromium >/dev/null && type -P node >/dev/null; then
     --key - --eval 'sightline.state.lines === window.lines' --eval "sightline.set_depth(99), null" \
     --eval 'sightline.state.cells' --key l --eval 'sightline.state.cells' --key l --eval "$differ" --key o \
     --eval 'sightline.state.cells' --key h --eval "document.getElementById('keys').hidden" \
-    --eval "new URLSearchParams(location.hash.slice(1)).get('depth')"
+    --eval "new URLSearchParams(location.hash.slice(1)).get('depth')" \
+    --size 390x800 --scheme dark --shot narrow.png --eval 'document.documentElement.scrollWidth <= 390' \
+    --eval "getComputedStyle(document.body).backgroundColor"
   python3 - "$work/a.html" >"$scratch/expected" <<'PYTHON'
 import json, re, sys
 data = json.loads(re.search(r'id=data>(.*?)</script>', open(sys.argv[1]).read(), re.S).group(1))
 depths = data['structures'][0]['depths']
 print('true\ntrue\nfalse\ntrue\ntrue\ntrue')
 print(sum(map(sum, depths)), sum(leaves for _, leaves in depths), 'true', sum(depths[-1]), 'false', len(depths) - 1, sep='\n')
+print('true\nrgb(20, 23, 29)')
 PYTHON
-  check 'what is drawn' diff "$scratch/told" "$scratch/expected"
-
-  browsing --size 390x800 --scheme dark --shot narrow.png --eval 'document.documentElement.scrollWidth <= 390' \
-    --eval "getComputedStyle(document.body).backgroundColor"
-  check 'narrow and dark' diff "$scratch/told" - <<<"$(printf 'true\nrgb(20, 23, 29)')"
+  check 'what is drawn, and how it looks narrow and dark' diff "$scratch/told" "$scratch/expected"
 fi
 finish
