@@ -75,7 +75,7 @@ check 'two steps to compare' test "$(wc -l <"$scratch/expected")" = 2
 if type -P chromium >/dev/null && type -P node >/dev/null; then
   # Keeps what expressions with a value print.
   browsing() {
-    run_again node "$browse" a.html --size 1280x900 "$@"
+    run_again node "$browse" a.html --size 1100x700 "$@"
     expect_exit 0
     grep -v '^null$' "$scratch/stdout" >"$scratch/told" || true
   }

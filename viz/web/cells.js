@@ -44,7 +44,7 @@ function show_legend(least, most) {
       level === 0                  ? 0 :
                                      commas(2 ** (level - 1));
   $('legend').innerHTML = '<span class=marks><b class="mark bar" style="background:var(--now)"></b>this step’s cell' +
-      '<b class="mark bar" style="background:var(--candidate)"></b>on the stack<b class="mark bar" style="background:var(--ink)"></b>' +
+      '<b class="mark bar" style="background:var(--stack)"></b>on the stack<b class="mark bar" style="background:var(--ink)"></b>' +
       `ray</span>${
                               is_depth ? 'depth of a cell; the root has 0' :
                                          'candidates in a leaf'}<i style="background:linear-gradient(to right,` +
@@ -60,7 +60,8 @@ function show_cells() {
     if (is_chosen(cells, lines.extent, i, position)) chosen.push(i);
   const {least, most, color_of} = color_scale(cells, chosen);
   state.cells = chosen.length;
-  state.lines = space ? space.set_cells(lines, chosen, color_of) : 0;
+  // Shallow cells last: an edge that they share with deeper ones has their color.
+  state.lines = space ? space.set_cells(lines, chosen.reverse(), color_of) : 0;
   space?.set_mesh(state.opacity, space.cut_at(state.axis, state.cut));
   const kept = cells.kind.length < cell_count ? `; this page has the largest ${commas(cells.kind.length)}` : '';
   $('shown').textContent = `${commas(chosen.length)} of ${commas(cell_count)} cells shown${kept}.`;

@@ -170,7 +170,7 @@ function draw_time(walk) {
                   stroke: css(kind_colors[k]),
                   'stroke-width': k === 3 ? 2 : 1
                 }));
-  svg(chart, 'path', {d: hits, fill: 'none', stroke: css('--hit'), 'stroke-width': 2.5});
+  svg(chart, 'path', {d: hits, fill: 'none', stroke: css('--ink'), 'stroke-width': 2.5});
   for (const i of ticks(count, width / 90)) {
     if (i < 1 || i > count || i % 1) continue;
     svg(chart, 'text', {x: x(i - 1), y: height - 22, 'text-anchor': 'middle'}, commas(i));
@@ -181,7 +181,7 @@ function draw_time(walk) {
                                                          .map((name, k) => `<b class="mark ${k === 0 ? 'round' : ''}"
     style="background:var(${kind_colors[k]})"></b>${name}${k === 3 ? ' unopened (cross)' : ''}`)
                                                          .join('') +
-      '<b class="mark round" style="border:2px solid var(--hit)"></b>nearest hit so far' +
+      '<b class="mark round" style="border:2px solid var(--ink)"></b>nearest hit so far' +
       '<b class="mark bar" style="background:var(--ink)"></b>far limit (dashed), at first ∞';
 }
 

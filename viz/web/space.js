@@ -57,7 +57,7 @@ class Space {
   // 'front' is where rays are picked from; 'side' shows them from aside.
   look_from(where) {
     const focus = new THREE.Vector3(...data.focus), eye = new THREE.Vector3(...data.eye).sub(focus);
-    if (where === 'side') eye.applyAxisAngle(new THREE.Vector3(0, 1, 0), -Math.PI * 50 / 180).multiplyScalar(1.1);
+    if (where === 'side') eye.applyAxisAngle(new THREE.Vector3(0, 1, 0), -Math.PI * 50 / 180).multiplyScalar(1.18);
     this.camera.near = this.radius / 100, this.camera.far = eye.length() + 50 * this.radius;
     this.camera.position.copy(focus).add(eye);
     this.controls.target.copy(focus);

@@ -41,8 +41,7 @@ function show_step() {
   $('far').textContent = `Far limit: t = ${digits(far)}${
       hit < 0 ? '; nothing is hit yet' : `; hit: triangle ${w.steps.id[w.steps.triangle[hit]]}`}.`;
   const stack = is_empty ? [] : stack_at(w, step);
-  $('stack-title').textContent =
-      `On the stack: ${commas(stack.length)}${stack.length ? ', the next first; t where it begins' : ''}`;
+  $('stack-title').textContent = `On the stack: ${commas(stack.length)}${stack.length ? ', with t of entry' : ''}`;
   $('stack').replaceChildren(...stack.slice(0, 60).map((i) => {
     const item = document.createElement('li'), entry = w.steps.t[w.until[i]];
     item.textContent =
@@ -70,7 +69,7 @@ function draw_step(w, step, stack, hit) {
   if (last_step() >= 0) {
     const waiting = [], now = [], {kind, cell, t, flags, triangle, corners} = w.steps;
     for (const i of stack.slice(0, 200)) push_outline(waiting, w.cells, i);
-    space.add_lines(waiting, css('--candidate'), 2);
+    space.add_lines(waiting, css('--stack'), 2.5);
     push_outline(now, w.cells, cell[step]);
     space.add_lines(now, css('--now'), 4.5);
     if (kind[step] === 2) {
@@ -79,7 +78,7 @@ function draw_step(w, step, stack, hit) {
       space.add_lines([...c.slice(0, 6), ...c.slice(3, 9), ...c.slice(6, 9), ...c.slice(0, 3)], css('--now'), 2.5);
     }
     if (kind[step] !== 2 || flags[step]) space.add_point(point_at(t[step]), css('--now'), 9);
-    if (hit >= 0) space.add_point(point_at(t[hit]), css('--hit'), 11);
+    if (hit >= 0) space.add_point(point_at(t[hit]), css('--ink'), 11);
   }
   space.draw_soon();
 }
