@@ -57,7 +57,8 @@ function draw_work(structure, own_work) {
         x = left + (place + within) * step;
   svg(chart, 'line', {x1: x, x2: x, y1: top - 4, y2: height - bottom, stroke: css('--now'), 'stroke-width': 2.5});
   const is_right = x > width - 130;
-  svg(chart, 'text', {class: 'strong', x: x + (is_right ? -5 : 5), y: 13, 'text-anchor': is_right ? 'end' : 'start'},
+  svg(chart, 'text',
+      {class: 'strong', x: is_right ? x - 5 : Math.max(x + 5, 105), y: 13, 'text-anchor': is_right ? 'end' : 'start'},
       `this ray: ${commas(own_work)}`);
 }
 
@@ -142,7 +143,10 @@ const kind_names = ['inner node', 'leaf', 'triangle', 'dropped'];
 
 function draw_time(walk) {
   const {chart, width, height} = blank('time', 250), {t, far, kind, flags} = walk.steps, count = t.length;
-  if (count === 0) return;
+  if (count === 0) {
+    svg(chart, 'text', {x: 0, y: 40}, 'The ray meets no cell at all.');
+    return;
+  }
   const {x, y, from, span} = time_scales(walk, width, height), floor = height - lanes.bottom;
   for (const value of ticks(from + span, 4, from)) {
     const at = y(value);

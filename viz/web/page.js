@@ -215,7 +215,8 @@ function listen() {
 
 function begin() {
   $('title').innerHTML = 'Sightline <small></small>';
-  $('title').firstElementChild.textContent = `${data.scene}, ${commas(data.triangles)} triangles`;
+  $('title').firstElementChild.textContent =
+      `${data.scene}, ${commas(data.triangles)} triangle${data.triangles === 1 ? '' : 's'}`;
   $('note').textContent = data.note;
   $('command').textContent = data.command;
   data.structures.forEach((raw, i) => {

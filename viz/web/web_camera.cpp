@@ -9,8 +9,10 @@ WebCamera web_camera(const Aabb& bounds, const View& view) {
   std::vector<Vec3d> corners;
   for (const Vec3f& p : hull_of(bounds).points) corners.emplace_back(p);
   const SpaceCamera fitted = fit_camera(axes, corners, double(view.width) / view.height, view.zoom);
-  return {Camera::looking_at(fitted.eye, fitted.focus, axes.y, SpaceCamera::field_of_view, view.width, view.height),
-          fitted.focus};
+  // What the view turns around is as far away as the middle of the scene.
+  const Vec3d middle = 0.5 * (Vec3d(bounds.lo) + Vec3d(bounds.hi));
+  const Vec3d focus = fitted.focus + glm::dot(middle - fitted.focus, axes.z) * axes.z;
+  return {Camera::looking_at(fitted.eye, focus, axes.y, SpaceCamera::field_of_view, view.width, view.height), focus};
 }
 
 }  // namespace sightline::viz
