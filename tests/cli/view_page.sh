@@ -31,10 +31,6 @@ refuses 2 'not zero' "${soup[@]}" --ray 1,2,3,0,0,0 --html a.html
 refuses 2 'a float holds' "${soup[@]}" --ray 1e300,2,3,1,0,0 --html a.html
 refuses 2 'X from 0 to 1199' "${soup[@]}" --pick 1200,5 --html a.html
 refuses 2 'Y from 0 to 299' "${soup[@]}" --size 400x300 --pick 7,300 --html a.html
-refuses 2 pixel "${soup[@]}" --pick 7.5,3 --html a.html
-refuses 2 size "${soup[@]}" --size 0x0 --html a.html
-refuses 2 'a number' "${soup[@]}" --zoom nan --html a.html
-refuses 2 soup "$view" page --scene soup:0 --html a.html
 refuses 1 no-such-file.ply "$view" page --scene no-such-file.ply --html a.html
 refuses 1 /dev/null "${soup[@]}" --html /dev/null/a.html
 
