@@ -14,6 +14,8 @@
 #include "viz/tour_page.h"
 #include "viz/traced_picture.h"
 #include "viz/virtual_screen.h"
+#include "viz/web/web_camera.h"
+#include "viz/web/web_page.h"
 
 namespace sightline::viz {
 namespace {
@@ -149,9 +151,22 @@ StructureTour draw_partition(const Tracer& tracer, const LoadedScene& scene, con
   return tour;
 }
 
+/// The page to walk in: of the picture that `sightline-view page` has as well, so that its command gives it again.
+WebModel empty_model(const LoadedScene& scene) {
+  const auto [camera, focus] = web_camera(scene.mesh->bounds(), View());
+  return web_model(scene.name, scene.mesh, camera, focus);
+}
+
+void write_page(const std::filesystem::path& path, WebModel& model) {
+  model.command = "./sightline view page --accel all --scene " + model.scene + " " + model.rays.front().label +
+                  " --html " + path.filename().string();
+  write_text(path, web_page(model));
+}
+
 SceneTour tour_scene(const LoadedScene& scene, const std::string& prefix, const Arguments& arguments, Steps& steps) {
   const Camera camera = Camera::facing(scene.mesh->bounds(), width, height);
-  SceneTour tour{scene.name, scene.mesh->size(), prefix + "picture.png", {}, {}};
+  SceneTour tour{scene.name, scene.mesh->size(), prefix + "picture.png", {}, {}, {}};
+  WebModel model = empty_model(scene);
   Witness witness(camera, scene);
   std::vector<std::vector<std::uint32_t>> works;
   double scale = 0;
@@ -161,12 +176,21 @@ SceneTour tour_scene(const LoadedScene& scene, const std::string& prefix, const 
     const auto tracer = make_tracer(info.name, scene.mesh);
     TracedPicture traced = trace_picture(*tracer, camera);
     witness.hear(std::string(info.name), std::move(traced.hits));
+    if (model.rays.empty()) model.rays.push_back(middle_ray(*tracer, model.camera));
+    const std::size_t others = accelerator_infos().size() - 1;
+    model.structures.push_back(web_structure(*tracer, std::string(info.name), model, web_bytes_each(others)));
     tour.structures.push_back(draw_partition(*tracer, scene, arguments.out, prefix));
     double sum = 0;
     for (const std::uint32_t work : traced.work) sum += work;
     tour.structures.back().work_per_pixel = sum / double(traced.work.size());
     scale = std::max(scale, scale_for(traced.work));
     works.push_back(std::move(traced.work));
+  }
+  if (has_web_library()) {
+    tour.page = prefix + "walk.html";
+    write_page(arguments.out / tour.page, model);
+  } else {
+    std::cerr << "      without the page to walk in: three.js was missing when this was built (libjs-three)\n";
   }
   steps.next(scene.name + ": asking brute force");
   tour.verdict = witness.ask_oracle();

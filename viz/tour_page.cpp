@@ -95,9 +95,18 @@ std::string figure(const std::string& file, const std::string& alternative, cons
          "\"></a><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }
 
-std::string structure_section(const StructureTour& structure, const std::string& scene) {
+/// The page in which the scene can be turned, and a ray followed.
+std::string walk_link(const SceneTour& scene) {
+  if (scene.page.empty()) return "";
+  return "<p class=walk><a href=\"" + scene.page +
+         "\">Walk in it</a>: turn the scene, go down the levels, and follow a ray step by step through "
+         "every structure, in this browser.</p>\n";
+}
+
+std::string structure_section(const StructureTour& structure, const std::string& scene, const std::string& page) {
+  const std::string walk = page.empty() ? "" : " <a href=\"" + page + "#accel=" + structure.name + "\">Walk in it</a>";
   return "<section class=structure id=\"" + escaped(structure.anchor) + "\"><h3>" + escaped(structure.name) +
-         "</h3><p>" + escaped(structure.description) + "</p>\n<div class=pair>" +
+         "</h3><p>" + escaped(structure.description) + walk + "</p>\n<div class=pair>" +
          figure(structure.partition, structure.name + ": cells", structure.partition_caption) +
          figure(structure.heat_map, structure.name + ": work per pixel",
                 "Work: " + digits(structure.work_per_pixel) + " nodes, leaves and triangles a pixel on average") +
@@ -108,7 +117,7 @@ std::string structure_section(const StructureTour& structure, const std::string&
 std::string scene_section(const SceneTour& scene, const json& bench) {
   std::string text = "<section class=scene><h2>" + escaped(scene.name) + " <small>" + with_commas(scene.triangles) +
                      " triangles</small></h2>\n" +
-                     figure(scene.picture, "The scene " + scene.name + ", traced", scene.verdict) +
+                     figure(scene.picture, "The scene " + scene.name + ", traced", scene.verdict) + walk_link(scene) +
                      "<h3>What each structure costs and gives</h3>\n" + table(bench, scene.name) +
                      "<h3>How each structure divides the scene, and what a ray meets in it</h3>\n<p>Left, the first "
                      "cells of the structure. Right, the work of every pixel: nodes visited and triangles tried until "
@@ -118,7 +127,9 @@ std::string scene_section(const SceneTour& scene, const json& bench) {
     text += "<a href=\"#" + escaped(structure.anchor) + "\">" + escaped(structure.name) + "</a> ";
   }
   text += "</nav>\n";
-  for (const StructureTour& structure : scene.structures) text += structure_section(structure, scene.name);
+  for (const StructureTour& structure : scene.structures) {
+    text += structure_section(structure, scene.name, scene.page);
+  }
   return text + "</section>\n";
 }
 

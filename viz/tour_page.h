@@ -21,6 +21,7 @@ struct SceneTour {
   std::string name;
   std::size_t triangles = 0;
   std::string picture;
+  std::string page;     ///< To walk in, beside this one; empty where there is none.
   std::string verdict;  ///< How far all structures were found to agree.
   std::vector<StructureTour> structures;
 };

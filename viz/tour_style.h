@@ -27,6 +27,7 @@ figcaption { margin-top: 6px; }
 .structure { border-top: 1px solid var(--line); margin-top: 28px; scroll-margin-top: 12px; }
 nav a { display: inline-block; margin: 0 6px 6px 0; padding: 3px 12px; border: 1px solid var(--line);
   border-radius: 99px; color: var(--accent); text-decoration: none; font-size: 0.92rem; }
+.walk { font-size: 1.1rem; } p a { color: var(--accent); }
 nav a:hover { border-color: var(--accent); }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; width: 100%; font-size: 0.92rem; font-variant-numeric: tabular-nums; }

@@ -19,6 +19,7 @@
 #include "viz/texture/texture_commands.h"
 #include "viz/view_options.h"
 #include "viz/virtual_screen.h"
+#include "viz/web/page_command.h"
 
 namespace sightline::viz {
 namespace {
@@ -49,10 +50,12 @@ Examples
       the course's wood, and what its knobs do: see wood --help
   sightline-view normals --out normals.png
       dents that are seen and are not there: see normals --help
+  sightline-view page --accel kd-tree,bih --html page.html
+      cells, walks and charts as a page for any browser: see page --help
 
 Exit status: 0 done, 1 failure, 2 wrong usage.)";
 
-const std::string subcommand_names = "partitions, csg, graph, noise, wood, normals, picture or list";
+const std::string subcommand_names = "partitions, csg, graph, noise, wood, normals, page, picture or list";
 
 struct Arguments {
   std::string accelerator = "kd-tree", scene = "teapot", out, depth, slice, size = "1200x900",
@@ -164,6 +167,7 @@ int run(int argc, char** argv) {
   NoiseCommand noise(app);
   WoodCommand wood(app);
   NormalsCommand normals(app);
+  PageCommand page(app, arguments.data);
   PictureCommand picture(app);
   command->fallthrough();
   listing->fallthrough();
@@ -222,6 +226,7 @@ int run(int argc, char** argv) {
   if (noise.is_chosen()) return noise.run();
   if (wood.is_chosen()) return wood.run();
   if (normals.is_chosen()) return normals.run();
+  if (page.is_chosen()) return page.run();
   if (picture.is_chosen()) return picture.run();
   if (!command->parsed()) throw UsageError("expected a subcommand: " + subcommand_names + " (see --help)");
   return show_partitions(arguments, *command);

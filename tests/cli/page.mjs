@@ -5,6 +5,8 @@
 //   --scheme light|dark
 //   --media print    or screen
 //   --eval JS        prints the value of an expression (of a promise, what it comes to): text as it is, all else as JSON
+//   --key KEY        presses a key: a character, or ArrowLeft, Home and the like
+//   --drag X,Y,X,Y   with the left button, from one place of the window to another
 //   --shot FILE.png  what the window shows
 //   --shot-all FILE.png  the page down to its end
 // Exit status: 1 where the page threw, wrote an error to its console or asked for anything outside itself, an expression
@@ -22,9 +24,10 @@ const faults = [];
 class Browser {
   constructor(program) {
     this.folder = mkdtempSync(join(tmpdir(), 'page-'));
-    const flags = ['--headless=new', '--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage', '--no-first-run',
-      '--disable-extensions', '--disable-background-networking', '--disable-component-update', '--hide-scrollbars',
-      '--mute-audio', '--remote-debugging-pipe', `--user-data-dir=${this.folder}`, 'about:blank'];
+    const flags = ['--headless=new', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+      '--disable-dev-shm-usage', '--no-first-run', '--disable-extensions', '--disable-background-networking',
+      '--disable-component-update', '--hide-scrollbars', '--mute-audio', '--remote-debugging-pipe',
+      `--user-data-dir=${this.folder}`, 'about:blank'];
     this.process = spawn(program, flags, { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'], detached: true });
     this.process.on('error', (error) => give_up(`${program}: ${error.message}`));
     this.process.on('exit', (status) => this.is_closing || give_up(`${program} ended with ${status}`));
@@ -107,6 +110,21 @@ function set_size(text) {
   return browser.call('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile: false });
 }
 
+async function press(key) {
+  const named = { Space: ' ' }[key] ?? key, text = named.length === 1 ? { text: named } : {};
+  await browser.call('Input.dispatchKeyEvent', { type: 'keyDown', key: named, ...text });
+  await browser.call('Input.dispatchKeyEvent', { type: 'keyUp', key: named });
+}
+
+async function drag(text) {
+  const [from_x, from_y, to_x, to_y] = text.split(',').map(Number);
+  const at = (type, share, buttons) => browser.call('Input.dispatchMouseEvent', { type, button: 'left', buttons,
+    clickCount: 1, x: from_x + share * (to_x - from_x), y: from_y + share * (to_y - from_y) });
+  await at('mousePressed', 0, 1);
+  for (const share of [0.25, 0.5, 0.75, 1]) await at('mouseMoved', share, 1);
+  await at('mouseReleased', 1, 0);
+}
+
 const shown = { media: 'screen', features: [] };
 function show_as(change) { return browser.call('Emulation.setEmulatedMedia', Object.assign(shown, change)); }
 
@@ -115,6 +133,8 @@ const steps = {
   '--scheme': (value) => show_as({ features: [{ name: 'prefers-color-scheme', value }] }),
   '--media': (media) => show_as({ media }),
   '--eval': async (expression) => process.stdout.write(`${await evaluate(expression)}\n`),
+  '--key': press,
+  '--drag': drag,
   '--shot': (file) => shoot(file, false),
   '--shot-all': (file) => shoot(file, true),
 };

@@ -1,0 +1,28 @@
+# Puts this folder's files and three.js into a source; sets web_assets_source. Without three.js (Debian: libjs-three)
+# everything builds, and the program says what is missing.
+function(read_assets variable)
+  set(text "")
+  foreach(file ${ARGN})
+    file(READ ${file} part)
+    string(APPEND text "${part}\n")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  endforeach()
+  set(${variable} "${text}" PARENT_SCOPE)
+endfunction()
+
+find_path(THREE_JS_DIR examples/js/controls/OrbitControls.js PATHS /usr/share/javascript/three NO_DEFAULT_PATH
+          DOC "Folder of three.js")
+set(web ${CMAKE_CURRENT_LIST_DIR})
+set(web_library "")
+if(THREE_JS_DIR)
+  set(three ${THREE_JS_DIR}/examples/js)
+  read_assets(web_library ${THREE_JS_DIR}/three.min.js ${three}/controls/OrbitControls.js
+              ${three}/lines/LineSegmentsGeometry.js ${three}/lines/LineMaterial.js ${three}/lines/LineSegments2.js)
+endif()
+read_assets(web_style ${web}/page.css)
+read_assets(web_body ${web}/page.html)
+read_assets(web_license ${web}/three_license.txt)
+read_assets(web_script ${web}/data.js ${web}/space.js ${web}/charts.js ${web}/cells.js ${web}/walk.js ${web}/page.js)
+set(web_assets_source ${CMAKE_CURRENT_BINARY_DIR}/web_assets.cpp)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${web}/web_assets.cpp.in)
+configure_file(${web}/web_assets.cpp.in ${web_assets_source} @ONLY)
