@@ -169,8 +169,8 @@ const Claim kd_build_claim{
     "What one triangle takes grows by as much from the middle size to the largest as from the smallest to the middle "
     "one (sizes evenly in logarithms) if the whole is n log n, whatever is beside that in proportion to n: steepening "
     "1. The limit is halfway to the steepening of n (log n)^2. Holds if all stay below; holds with a limit if the "
-    "counted work of building and of insertion at random does, but a time or insertion in order does not. (A first "
-    "rule, on exponents alone, resolved nothing: terms in proportion to n bend them at these sizes.)",
+    "counted work of building and of insertion at random does, but a time or insertion in order does not. A first "
+    "rule, on exponents alone, resolved nothing: terms in proportion to n bend them at these sizes.",
     measure_kd_build};
 
 }  // namespace sightline::bench
