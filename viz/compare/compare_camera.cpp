@@ -27,14 +27,18 @@ Ray<float> ray_across(const Tracer& tracer) {
   const Vec3d lo(bounds.lo), size = Vec3d(bounds.hi) - lo;
   const double length = std::max(max_norm(size), 1e-30);
   std::optional<Ray<float>> best;
-  std::size_t most = 0;
-  for (const double up : {0.78, 0.66, 0.54, 0.42, 0.3}) {
-    for (const double deep : {0.56, 0.46, 0.66}) {
+  float farthest = 0;
+  for (const double up : {0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3}) {
+    for (const double deep : {0.56, 0.46, 0.66, 0.36, 0.76}) {
       const Vec3d from = lo + Vec3d(-0.16 * length, up * size.y, deep * size.z);
       const Vec3d to = lo + Vec3d(size.x, (up - 0.24) * size.y, (deep - 0.1) * size.z);
       const Ray<float> ray{Vec3f(from), Vec3f(to - from)};
-      const std::size_t crossed = tracer.all_hits(ray).size();
-      if (!best || crossed > most) best = ray, most = crossed;
+      Hit<float> hit;
+      tracer.closest_hits(std::span(&ray, 1), std::span(&hit, 1));
+      if (!best || (hit.is_hit() && hit.t > farthest)) {
+        best = ray;
+        farthest = hit.is_hit() ? hit.t : 0;
+      }
     }
   }
   return *best;

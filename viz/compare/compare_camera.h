@@ -15,7 +15,7 @@ SpaceCamera camera_for(const TriangleMesh& mesh, const CompareLook& look, double
 /// The same for a picture of so many pixels.
 Camera tracing_camera(const SpaceCamera& camera, int width, int height);
 
-/// A ray from the left through the scene: of a few the one that crosses most surfaces, then the first.
+/// A ray from the left through the scene: of a few the one that comes farthest before it hits.
 Ray<float> ray_across(const Tracer& tracer);
 
 }  // namespace sightline::viz

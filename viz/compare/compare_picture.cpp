@@ -39,6 +39,8 @@ void draw_head(Canvas& canvas, const PanelFrame& panel, const std::string& title
   canvas.text({panel.x, panel.y + 43}, canvas.shortened(text, body, panel.width), body);
 }
 
+Vec3d point_of_hit(const Walk& walk) { return Vec3d(walk.ray.origin) + double(walk.hit.t) * Vec3d(walk.ray.direction); }
+
 std::string walk_text(const Walk& walk) {
   const TraversalStats stats = walk.statistics();
   std::string text = counted(stats.nodes, "node", "nodes") + ", " + counted(stats.leaves, "leaf", "leaves") + ", " +
@@ -82,7 +84,7 @@ class Drawing {
 
   void show_in(vtkRenderWindow& window) const {
     window.GetRenderers()->RemoveAllItems();
-    window.SetNumberOfLayers(3);
+    window.SetNumberOfLayers(5);
     auto back = vtkSmartPointer<vtkRenderer>::New();
     back->SetBackground(1, 1, 1);
     back->InteractiveOff();
@@ -90,7 +92,7 @@ class Drawing {
     window.AddRenderer(back);
     for (const auto& renderer : renderers_) window.AddRenderer(renderer);
     auto front = vtkSmartPointer<vtkRenderer>::New();
-    front->SetLayer(2);
+    front->SetLayer(4);
     front->InteractiveOff();
     over_.add_to(*front);
     window.AddRenderer(front);
@@ -126,28 +128,52 @@ class Drawing {
       const Walk& walk = findings().walks[which];
       draw_head(paper_, layout_.panels()[i], label(which), walk_text(walk));
       const PanelFrame frame = layout_.units(layout_.pictures()[i]);
-      for (const auto& renderer : space.renderers(walk, frame, place_)) renderers_.push_back(renderer);
+      for (const auto& renderer : space.renderers(walk, frame, place_, 0)) renderers_.push_back(renderer);
       draw_hit(walk, frame);
       draw_border(over_, frame);
+      draw_close(space, walk, frame);
     }
     CompareLegend legend(paper_, CompareLayout::margin, layout_.legend_line());
     legend.turns(most);
-    legend.line(ink, 3, 0, "inner: thin, leaf: thick");
+    legend.line(opening_color(1, 4), 1.5, 0, "inner");
+    legend.line(opening_color(2, 4), 3.4, 0, "leaf");
     legend.line(culled_color, 2, 4, "culled");
     legend.box(tested_color, "candidate tested");
     legend.box(hit_color, "hit");
-    legend.line(ink, 3.4, 0, "the ray");
+    legend.line(ink, 3.4, 0, "ray");
+    legend.line(soft_ink, 1.6, 10, "beyond its hit");
   }
 
-  /// Where the ray hits, whatever is in front of it.
+  /// Where in the frame the ray hits, whatever is in front of it.
+  std::optional<Canvas::Point> place_of_hit(const Walk& walk, const PanelFrame& frame) const {
+    if (!walk.hit.is_hit()) return std::nullopt;
+    const auto seen = picture_.camera().project(point_of_hit(walk));
+    if (!seen || std::fabs(seen->x) > 1 || std::fabs(seen->y) > 1) return std::nullopt;
+    return Canvas::Point{frame.x + (seen->x + 1) / 2 * frame.width, frame.y + (1 - seen->y) / 2 * frame.height};
+  }
+
   void draw_hit(const Walk& walk, const PanelFrame& frame) {
-    if (!walk.hit.is_hit()) return;
-    const Vec3d at = Vec3d(walk.ray.origin) + double(walk.hit.t) * Vec3d(walk.ray.direction);
-    const auto seen = picture_.camera().project(at);
-    if (!seen || std::fabs(seen->x) > 1 || std::fabs(seen->y) > 1) return;
-    const Canvas::Point place{frame.x + (seen->x + 1) / 2 * frame.width, frame.y + (1 - seen->y) / 2 * frame.height};
-    over_.ring(place, 8.5, 5, {1, 1, 1});
-    over_.ring(place, 8.5, 2.6, hit_color);
+    const auto place = place_of_hit(walk, frame);
+    if (!place) return;
+    over_.ring(*place, 8.5, 5, {1, 1, 1});
+    over_.ring(*place, 8.5, 2.6, hit_color);
+  }
+
+  /// What is around the hit, larger, in the corner that is farthest from it.
+  void draw_close(const WalkSpace& space, const Walk& walk, const PanelFrame& frame) {
+    const auto hit = place_of_hit(walk, frame);
+    if (!hit) return;
+    const double width = 0.31 * frame.width, height = 0.42 * frame.height;
+    const bool is_right = hit->x < frame.x + frame.width / 2, is_below = hit->y < frame.y + frame.height / 2;
+    const PanelFrame inset{frame.x + (is_right ? frame.width - width : 0),
+                           frame.y + (is_below ? frame.height - height : 0), width, height};
+    const WalkSpace close = space.close_to(point_of_hit(walk), width / height);
+    for (const auto& renderer : close.renderers(walk, inset, place_, 2)) renderers_.push_back(renderer);
+    draw_border(over_, inset);
+    const double factor = space.camera.half_height_at(point_of_hit(walk)) /
+                          close.camera.half_height_at(point_of_hit(walk)) * height / frame.height;
+    over_.rectangle({inset.x, inset.y}, 52, 27, {1, 1, 1}, 0.85);
+    over_.text({inset.x + 8, inset.y + 14}, std::to_string(std::lround(factor)) + " x", {18, ink});
   }
 
   void draw_map(std::size_t i, const ColorGrid& map) {
@@ -195,7 +221,7 @@ class Drawing {
       const DifferenceStatistics s = statistics_of(std::span<const std::int64_t>(all[which]));
       const auto share = [&](std::uint64_t rays) { return decimal(100 * double(rays) / double(s.rays())) + " %"; };
       draw_head(
-          paper_, layout_.panels()[i], label(which) + " less " + label(look().against),
+          paper_, layout_.panels()[i], label(which) + " minus " + label(look().against),
           "mean " + decimal(s.mean(), true) + "; fewer at " + share(s.less) + " of rays, more at " + share(s.more));
       draw_map(i, difference_map(all[which], findings().camera.width, findings().camera.height, scale));
     }
@@ -228,8 +254,8 @@ class Drawing {
     CompareLegend legend(paper_, CompareLayout::margin, layout_.legend_line() + 8);
     legend.text(std::string(unit_of(look().work)) + " per ray", true);
     legend.text(
-        "bins: 0, 1, 2, 3, then four to each doubling; a number stands where its bin begins; marked: the median "
-        "and what 99 % of rays do not exceed");
+        "bins: 0, 1, 2, 3, then four a doubling, labelled where they begin; gray: no work, cut off; marked: the "
+        "median, and what 99 % of rays do not exceed");
   }
 
   void draw_help() {
@@ -278,7 +304,8 @@ SpaceCamera ComparePicture::camera() const {
 
 HistogramSheet ComparePicture::histograms() const {
   const CompareLayout places = layout();
-  HistogramSheet sheet{source.scene + ": work per ray", std::string(unit_of(look.work)), {}};
+  HistogramSheet sheet{
+      source.scene + ": work per ray", look.work == WorkKind::all ? "steps" : std::string(unit_of(look.work)), {}};
   std::uint32_t highest = 10;
   std::vector<std::vector<std::uint32_t>> works;
   for (const TracedPicture& traced : findings.traced) {
@@ -288,8 +315,12 @@ HistogramSheet ComparePicture::histograms() const {
   for (std::size_t i = 0; i < shown().size(); ++i) {
     const std::size_t which = shown()[i];
     const WorkStatistics s = statistics_of(std::span<const std::uint32_t>(works[which]));
-    sheet.panels.push_back({compared[which].label, "mean " + decimal(s.mean()) + ", most " + with_commas(s.highest),
-                            histogram_of(works[which], highest), s, places.units(places.pictures()[i])});
+    std::vector<HistogramBin> bins = histogram_of(works[which], highest);
+    const double idle = 100 * double(bins.front().rays) / double(std::max<std::uint64_t>(s.rays, 1));
+    sheet.panels.push_back(
+        {compared[which].label,
+         "mean " + decimal(s.mean()) + ", most " + with_commas(s.highest) + "; none at " + decimal(idle) + " % of rays",
+         std::move(bins), s, places.units(places.pictures()[i])});
   }
   return sheet;
 }

@@ -1,6 +1,7 @@
 #include "viz/compare/comparison.h"
 
 #include <bit>
+#include <unordered_set>
 
 namespace sightline::viz {
 
@@ -58,9 +59,11 @@ std::size_t differing_pixels(const TracedPicture& a, const TracedPicture& b) {
 
 std::vector<std::size_t> openings(const Walk& walk) {
   std::vector<std::size_t> steps;
+  std::unordered_set<std::uint32_t> opened;
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
     const WalkStep::Kind kind = walk.steps[i].kind;
-    if (kind == WalkStep::Kind::visit || kind == WalkStep::Kind::leaf) steps.push_back(i);
+    if (kind != WalkStep::Kind::visit && kind != WalkStep::Kind::leaf) continue;
+    if (opened.insert(walk.steps[i].node).second) steps.push_back(i);
   }
   return steps;
 }

@@ -45,7 +45,8 @@ bool is_same(const Hit<float>& a, const Hit<float>& b);
 std::vector<std::size_t> dissenters(std::span<const Walk> walks);
 std::size_t differing_pixels(const TracedPicture& a, const TracedPicture& b);
 
-/// Steps at which cells are opened, in that order: visits and leaves.
+/// Steps at which cells are opened for the first time, in that order. (A grid counts one for each empty part of a cell
+/// that is cut again, by that cell's number.)
 std::vector<std::size_t> openings(const Walk& walk);
 
 }  // namespace sightline::viz

@@ -46,7 +46,9 @@ struct PlacedChart {
 class DrawnBars : public vtkContextItem {
  public:
   static DrawnBars* New();
-  vtkTypeMacro(DrawnBars, vtkContextItem) std::vector<PlacedChart> charts;
+  vtkTypeMacro(DrawnBars, vtkContextItem)  // NOLINT
+
+      std::vector<PlacedChart> charts;
   double scale = 1, height = 0;
   std::string title;  ///< Empty: no titles.
 
@@ -88,7 +90,7 @@ class DrawnBars : public vtkContextItem {
       const double right = x(is_idle ? idle_right : HistogramSheet::position_of(double(bin.high) + 1));
       const double top = y(percent(bin.rays, panel.statistics.rays)), gap = right - left > 6 * scale ? scale : 0;
       const Rgb& color = is_idle ? idle_color : bar_color;
-      painter.GetBrush()->SetColorF(color[0], color[1], color[2]);
+      painter.GetBrush()->SetColorF(color[0], color[1], color[2], 1);
       if (top > y(0)) {
         painter.DrawRect(static_cast<float>(left), static_cast<float>(y(0)), static_cast<float>(right - left - gap),
                          static_cast<float>(top - y(0)));
@@ -97,12 +99,6 @@ class DrawnBars : public vtkContextItem {
     const double top = each.chart->GetAxis(vtkAxis::LEFT)->GetPoint2()[1];
     mark(painter, x, y(0), top, panel.statistics.median, "median", ink, vtkPen::SOLID_LINE, 0);
     mark(painter, x, y(0), top, panel.statistics.percentile_99, "99 %", tail_color, vtkPen::DASH_LINE, 1);
-    const HistogramBin& idle = panel.bins.front();
-    if (idle.rays > 0) {
-      std::array<char, 48> text{};
-      std::snprintf(text.data(), text.size(), "%.1f %% none", percent(idle.rays, panel.statistics.rays));
-      draw_text(painter, x(idle_left) + 4 * scale, top + 11 * scale, text.data(), text_size, soft_ink, false);
-    }
     if (title.empty()) return;
     const double left = panel.frame.x * scale, above = (height - panel.frame.y) * scale;
     draw_text(painter, left, above + 46 * scale, panel.title, 21, ink, true);
@@ -118,8 +114,10 @@ class DrawnBars : public vtkContextItem {
     painter.GetPen()->SetColorF(color[0], color[1], color[2]);
     painter.DrawLine(static_cast<float>(at), static_cast<float>(bottom), static_cast<float>(at),
                      static_cast<float>(top));
-    draw_text(painter, at + 6 * scale, top - (14 + 24 * row) * scale, std::string(name) + ": " + std::to_string(work),
-              text_size, color, false);
+    // The name stands beside its line, to the left where there is no room on the right.
+    const double name_width = 96 * scale, end = x(1e9);
+    draw_text(painter, at + name_width > end ? at - name_width : at + 6 * scale, top - (14 + 24 * row) * scale,
+              std::string(name) + ": " + std::to_string(work), text_size, color, false);
   }
 };
 vtkStandardNewMacro(DrawnBars)
@@ -152,21 +150,40 @@ void set_axis(vtkChartXY& chart, int which, const std::string& title, double low
   axis.GetGridPen()->SetWidth(static_cast<float>(scale));
 }
 
-void set_ticks(vtkChartXY& chart, double highest) {
-  auto places = New<vtkDoubleArray>::New();
-  auto labels = New<vtkStringArray>::New();
-  const auto tick = [&](double place, const std::string& label) {
-    places->InsertNextValue(place);
-    labels->InsertNextValue(label);
-  };
-  tick(0.5 * (idle_left + idle_right), "0");
+class Ticks {
+ public:
+  void add(double place, const std::string& label) {
+    places_->InsertNextValue(place);
+    labels_->InsertNextValue(label);
+  }
+  void put_on(vtkAxis& axis) const { axis.SetCustomTickPositions(places_, labels_); }
+
+ private:
+  New<vtkDoubleArray> places_ = New<vtkDoubleArray>::New();
+  New<vtkStringArray> labels_ = New<vtkStringArray>::New();
+};
+
+void set_work_ticks(vtkAxis& axis, double highest) {
+  Ticks ticks;
+  ticks.add(0.5 * (idle_left + idle_right), "0");
   for (double decade = 1; decade <= highest; decade *= 10) {
     for (const int step : {1, 3}) {
       const double work = decade * step;
-      if (work <= highest) tick(HistogramSheet::position_of(work), std::to_string(std::lround(work)));
+      if (work <= highest) ticks.add(HistogramSheet::position_of(work), std::to_string(std::lround(work)));
     }
   }
-  chart.GetAxis(vtkAxis::BOTTOM)->SetCustomTickPositions(places, labels);
+  ticks.put_on(axis);
+}
+
+/// At most seven, at round numbers.
+void set_percent_ticks(vtkAxis& axis, double highest) {
+  int step = 1;
+  for (const int larger : {2, 5, 10, 20}) {
+    if (highest / step > 6) step = larger;
+  }
+  Ticks ticks;
+  for (int at = 0; at <= highest; at += step) ticks.add(at, std::to_string(at));
+  ticks.put_on(axis);
 }
 
 New<vtkChartXY> chart_of(const HistogramSheet& sheet, const HistogramPanel& panel, double highest_y, double height,
@@ -180,7 +197,8 @@ New<vtkChartXY> chart_of(const HistogramSheet& sheet, const HistogramPanel& pane
   set_axis(*chart, vtkAxis::BOTTOM, sheet.unit + " per ray", idle_left - 0.15, HistogramSheet::position_of(highest),
            scale);
   set_axis(*chart, vtkAxis::LEFT, "rays / %", 0, highest_y, scale);
-  set_ticks(*chart, highest);
+  set_work_ticks(*chart->GetAxis(vtkAxis::BOTTOM), highest);
+  set_percent_ticks(*chart->GetAxis(vtkAxis::LEFT), highest_y);
   // A chart without a plot draws no axes.
   auto table = New<vtkTable>::New();
   for (const char* name : {"x", "y"}) {

@@ -155,19 +155,32 @@ vtkSmartPointer<vtkPolyData> smooth_surface(const TriangleMesh& mesh) {
   return normals->GetOutput();
 }
 
+WalkSpace WalkSpace::close_to(const Vec3d& place, double aspect) const {
+  const double half = 0.011 * glm::length(Vec3d(mesh.bounds().extent()));
+  std::vector<Vec3d> corners;
+  for (const double x : {-half, half}) {
+    for (const double y : {-half, half}) corners.push_back(place + x * camera.axes.x + y * camera.axes.y);
+  }
+  WalkSpace close = *this;
+  close.camera = fit_camera(camera.axes, corners, aspect, 1);
+  return close;
+}
+
 std::vector<vtkSmartPointer<vtkRenderer>> WalkSpace::renderers(const Walk& walk, const PanelFrame& frame,
-                                                               const PartPlace& place) const {
+                                                               const PartPlace& place, int layer) const {
   auto below = place.renderer(frame), above = place.renderer(frame);
-  above->SetLayer(1);
+  below->SetLayer(layer);
+  below->PreserveColorBufferOff();  // what lies beneath does not shine through
+  above->SetLayer(layer + 1);
   for (const auto& renderer : {below, above}) {
     renderer->InteractiveOff();
     camera.aim(*renderer->GetActiveCamera());
   }
   light_space(*below);
-  vtkProperty* look = add_actor(*below, surface, {0.90, 0.895, 0.885}, 1)->GetProperty();
+  vtkProperty* look = add_actor(*below, surface, {0.93, 0.925, 0.915}, 1)->GetProperty();
   look->LightingOn();
-  look->SetAmbient(0.35);
-  look->SetDiffuse(0.68);
+  look->SetAmbient(0.55);
+  look->SetDiffuse(0.5);
   look->SetInterpolationToPhong();
   below->ResetCameraClippingRange();
 

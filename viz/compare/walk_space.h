@@ -27,10 +27,12 @@ struct WalkSpace {
   SpaceCamera camera;
   std::size_t most_opened;  ///< Of all walks that share the scale of colors.
 
-  /// Renderers for a window of two layers: the mesh in the first, and what the walk touches over it, so that nothing is
-  /// hidden. Lines are `unit` pixels wide for each unit.
-  std::vector<vtkSmartPointer<vtkRenderer>> renderers(const Walk& walk, const PanelFrame& frame,
-                                                      const PartPlace& place) const;
+  /// Two renderers, for this layer of the window and the next: the mesh, and over it what the walk touches, so that
+  /// nothing is hidden.
+  std::vector<vtkSmartPointer<vtkRenderer>> renderers(const Walk& walk, const PanelFrame& frame, const PartPlace& place,
+                                                      int layer) const;
+  /// The same direction, but close to what the ray hits: a picture of this width over height.
+  WalkSpace close_to(const Vec3d& place, double aspect) const;
 };
 
 }  // namespace sightline::viz
