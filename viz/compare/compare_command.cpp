@@ -147,7 +147,9 @@ CompareCommand::CompareCommand(CLI::App& program, const std::string& data_folder
 }
 
 CompareCommand::Plan CompareCommand::plan() const {
-  Plan plan{{}, {}, {accelerators_, scene_, {}, settings_, {}}, parse_size_of<CompareLayout>(size_), {}, {}, false};
+  const PictureSize size =
+      parse_size_of<CompareLayout>(size_);  // GCC 12 destroys twice what it throws amid a Plan{...}
+  Plan plan{{}, {}, {accelerators_, scene_, {}, settings_, {}}, size, {}, {}, false};
   try {
     plan.specs = parse_accelerators(accelerators_);
     if (plan.specs.size() < fewest_structures || plan.specs.size() > most_structures) {

@@ -66,7 +66,8 @@ Touched touched_by(const Walk& walk) {
   Touched touched;
   for (const WalkStep& step : walk.steps) {
     if (step.kind == WalkStep::Kind::candidate) {
-      touched.tested.push_back(step.triangle);
+      // The one that is hit is drawn by itself: in the same place, the two would fight.
+      if (step.triangle != walk.hit.prim_id) touched.tested.push_back(step.triangle);
       continue;
     }
     const Cell& cell = walk.cells[walk.cell_of(step.node)].cell;
@@ -156,13 +157,15 @@ vtkSmartPointer<vtkPolyData> smooth_surface(const TriangleMesh& mesh) {
 }
 
 WalkSpace WalkSpace::close_to(const Vec3d& place, double aspect) const {
-  const double half = 0.011 * glm::length(Vec3d(mesh.bounds().extent()));
+  const double half = 0.022 * glm::length(Vec3d(mesh.bounds().extent()));
   std::vector<Vec3d> corners;
   for (const double x : {-half, half}) {
-    for (const double y : {-half, half}) corners.push_back(place + x * camera.axes.x + y * camera.axes.y);
+    for (const double y : {-half, half}) corners.push_back(x * camera.axes.x + y * camera.axes.y);
   }
   WalkSpace close = *this;
-  close.camera = fit_camera(camera.axes, corners, aspect, 1);
+  close.camera = fit_camera(camera.axes, corners, aspect, 1);  // around the origin, where it is exact
+  close.camera.eye += place;
+  close.camera.focus += place;
   return close;
 }
 
