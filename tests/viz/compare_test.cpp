@@ -160,6 +160,12 @@ TEST(Compare, PercentilesAreNearestRanks) {
   EXPECT_EQ(s.highest, 200u);
   EXPECT_EQ(s.total, 20100u);
   EXPECT_DOUBLE_EQ(s.mean(), 100.5);
+  EXPECT_EQ(s.idle, 0u);
+  const Work half{0, 9, 0, 7, 0, 8, 0, 0};
+  const WorkStatistics t = statistics_of(std::span<const std::uint32_t>(half));
+  EXPECT_EQ(t.median, 0u);
+  EXPECT_EQ(t.idle, 5u);
+  EXPECT_EQ(t.busy_median, 8u);
   EXPECT_EQ(statistics_of(std::span<const std::uint32_t>()).rays, 0u);
   EXPECT_EQ(statistics_of(std::span<const std::uint32_t>(Work{5})).percentile_99, 5u);
 }

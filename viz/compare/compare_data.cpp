@@ -47,6 +47,8 @@ Json work_json(const std::vector<std::uint32_t>& work, const std::vector<std::ui
           {"median", s.median},
           {"percentile_99", s.percentile_99},
           {"highest", s.highest},
+          {"idle_rays", s.idle},
+          {"median_of_others", s.busy_median},
           {"difference",
            {{"mean", d.mean()},
             {"median", d.median},

@@ -315,12 +315,11 @@ HistogramSheet ComparePicture::histograms() const {
   for (std::size_t i = 0; i < shown().size(); ++i) {
     const std::size_t which = shown()[i];
     const WorkStatistics s = statistics_of(std::span<const std::uint32_t>(works[which]));
-    std::vector<HistogramBin> bins = histogram_of(works[which], highest);
-    const double idle = 100 * double(bins.front().rays) / double(std::max<std::uint64_t>(s.rays, 1));
-    sheet.panels.push_back(
-        {compared[which].label,
-         "mean " + decimal(s.mean()) + ", most " + with_commas(s.highest) + "; none at " + decimal(idle) + " % of rays",
-         std::move(bins), s, places.units(places.pictures()[i])});
+    const double idle = 100 * double(s.idle) / double(std::max<std::uint64_t>(s.rays, 1));
+    sheet.panels.push_back({compared[which].label,
+                            "mean " + decimal(s.mean()) + ", most " + with_commas(s.highest) + "; none at " +
+                                decimal(idle) + " % of rays, median of the others " + with_commas(s.busy_median),
+                            histogram_of(works[which], highest), s, places.units(places.pictures()[i])});
   }
   return sheet;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "sightline/io/progress.h"
 #include "viz/compare/compare_data.h"
 
 namespace sightline::viz {
@@ -165,7 +166,10 @@ void CompareWindow::fit() {
 }
 
 void CompareWindow::show(bool is_turning) {
-  session_.find(look_, width_, height_, look_.kind != CompareKind::walk, is_turning ? turning_coarseness : 1);
+  Progress progress;
+  session_.find(look_, width_, height_, look_.kind != CompareKind::walk, is_turning ? turning_coarseness : 1,
+                [&](const std::string& label) { progress.say("tracing the picture's rays", label); });
+  progress.clear();
   session_.picture(look_, width_, height_, has_help_).show_in(*window_, 1);
   window_->Render();
 }

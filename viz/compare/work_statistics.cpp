@@ -28,6 +28,8 @@ WorkStatistics statistics_of(std::span<const std::uint32_t> work) {
   statistics.median = percentile(sorted, 50);
   statistics.percentile_99 = percentile(sorted, 99);
   statistics.highest = *std::ranges::max_element(sorted);
+  statistics.idle = std::erase(sorted, 0u);
+  if (!sorted.empty()) statistics.busy_median = percentile(sorted, 50);
   return statistics;
 }
 

@@ -11,6 +11,8 @@ namespace sightline::viz {
 struct WorkStatistics {
   std::uint64_t rays = 0, total = 0;
   std::uint32_t median = 0, percentile_99 = 0, highest = 0;
+  std::uint64_t idle = 0;         ///< Rays that take no step at all.
+  std::uint32_t busy_median = 0;  ///< Of the others.
 
   double mean() const { return rays == 0 ? 0 : double(total) / double(rays); }
 };
