@@ -206,6 +206,8 @@ CompareCommand::Plan CompareCommand::plan() const {
 
 int CompareCommand::run() const {
   Plan plan = this->plan();
+  std::optional<PictureScreen> screen;
+  if (plan.needs_screen) screen.emplace();
   Progress progress;
   progress.say("reading " + scene_);
   const auto mesh = load_scene(scene_, data_);
@@ -222,8 +224,6 @@ int CompareCommand::run() const {
     look.azimuth = std::fmod(look.azimuth + turn_, 360);
   }
   CompareSession session(std::move(compared), plan.source);
-  std::optional<PictureScreen> screen;
-  if (plan.needs_screen) screen.emplace();
 
   Verdict verdict = verdict_of(session.compared(), session.find(look, width, height, false));
   std::cout << comparison_table(session.compared(), session.picture(look, width, height).findings) << std::flush;
