@@ -12,19 +12,14 @@
 #include <string>
 #include <vector>
 
-#include "viz/color_ramp.h"
-
 namespace sightline::viz {
 namespace {
 
 constexpr int legend_height = 56, margin = 20, bar_height = 14;
 constexpr float paper = 1;
 
-double share_of(double work, double highest) { return std::log(std::fmax(work, 1)) / std::log(highest); }
-
 Rgb heat(double work, double highest) {
-  if (work < 1) return {0, 0, 0};
-  Rgb color = ramp(share_of(work, highest), 0.15, 0.93);
+  Rgb color = heat_color(work, highest);
   for (double& component : color) component = linear_from_srgb(component);
   return color;
 }
@@ -65,7 +60,7 @@ void put_legend(Image& image, int top, double highest) {
     for (const int step : {1, 3}) {
       const double work = decade * step;
       if (work > highest) continue;
-      const int x = margin + static_cast<int>(std::lround(share_of(work, highest) * (length - 1)));
+      const int x = margin + static_cast<int>(std::lround(heat_share(work, highest) * (length - 1)));
       for (int y = 0; y < 4; ++y) put(image, x, top + 8 + bar_height + y, {0, 0, 0});
       put_text(image, std::to_string(static_cast<long>(work)) + (work == 1 ? " step per pixel" : ""), x,
                top + 14 + bar_height);
@@ -74,6 +69,14 @@ void put_legend(Image& image, int top, double highest) {
 }
 
 }  // namespace
+
+double heat_share(double work, double highest) {
+  return std::clamp(std::log(std::fmax(work, 1)) / std::log(highest), 0.0, 1.0);
+}
+
+Rgb heat_color(double work, double highest) {
+  return work < 1 ? Rgb{0, 0, 0} : ramp(heat_share(work, highest), 0.15, 0.93);
+}
 
 double scale_for(std::span<const std::uint32_t> work) {
   std::vector<std::uint32_t> sorted(work.begin(), work.end());

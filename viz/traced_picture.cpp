@@ -41,7 +41,8 @@ Vec3d clay(const Vec3d& normal, const Vec3d& view, const Camera& camera) {
 
 TracedPicture trace_picture(const Tracer& tracer, const Camera& camera) {
   const auto pixels = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
-  TracedPicture picture{std::vector<Hit<float>>(pixels), std::vector<std::uint32_t>(pixels)};
+  TracedPicture picture{std::vector<Hit<float>>(pixels), std::vector<std::uint32_t>(pixels),
+                        std::vector<std::uint32_t>(pixels)};
   tbb::parallel_for(0, camera.height, [&](int y) {
     for (int x = 0; x < camera.width; ++x) {
       const std::size_t pixel = static_cast<std::size_t>(y) * camera.width + x;
@@ -49,6 +50,7 @@ TracedPicture trace_picture(const Tracer& tracer, const Camera& camera) {
       TraversalStats stats;
       tracer.closest_hits(std::span(&ray, 1), std::span(&picture.hits[pixel], 1), stats);
       picture.work[pixel] = static_cast<std::uint32_t>(stats.nodes + stats.leaves + stats.candidates);
+      picture.candidates[pixel] = static_cast<std::uint32_t>(stats.candidates);
     }
   });
   return picture;

@@ -12,7 +12,8 @@ namespace sightline::viz {
 /// What one structure answers for the rays of a picture, pixel by pixel from the top.
 struct TracedPicture {
   std::vector<Hit<float>> hits;
-  std::vector<std::uint32_t> work;  ///< Nodes, leaves and candidates examined.
+  std::vector<std::uint32_t> work;        ///< Nodes, leaves and candidates examined.
+  std::vector<std::uint32_t> candidates;  ///< Those alone.
 };
 
 /// Closest hits of all rays, on all cores. The answer does not depend on how rows are shared out.

@@ -9,6 +9,7 @@
 #include "sightline/io/progress.h"
 #include "sightline/scene/scenes.h"
 #include "viz/cell_export.h"
+#include "viz/compare/compare_command.h"
 #include "viz/csg_command.h"
 #include "viz/graph/graph_command.h"
 #include "viz/noise/noise_command.h"
@@ -40,6 +41,8 @@ Examples
       the cells that the middle plane cuts, and their sections
   sightline-view partitions --accel kd-tree --scene teapot --leaves --set kd-tree.max_leaf_size=16 --out leaves.vtp
       the leaves of a coarser tree as data, for ParaView
+  sightline-view compare --out walks.png
+      structures side by side on the same ray: see compare --help
   sightline-view csg --solid widget --out widget.png
       a ray's interval ladder through a solid: see csg --help
   sightline-view graph --scene levels:4 --select left/left --drag=-0.9,0.7,0 --out bubble.png
@@ -55,7 +58,8 @@ Examples
 
 Exit status: 0 done, 1 failure, 2 wrong usage.)";
 
-const std::string subcommand_names = "partitions, csg, graph, noise, wood, normals, page, picture or list";
+const std::string subcommand_names =
+    "partitions, walk, compare, csg, graph, noise, wood, normals, page, picture or list";
 
 struct Arguments {
   std::string accelerator = "kd-tree", scene = "teapot", out, depth, slice, size = "1200x900",
@@ -162,6 +166,7 @@ int run(int argc, char** argv) {
   app.add_option("--data", arguments.data, "Folder of scene data")->option_text("DIR");
   CLI::App* listing = app.add_subcommand("list", "The accelerators with their options, and the scenes");
   CLI::App* command = app.add_subcommand("partitions", "The cells of a structure over the mesh");
+  CompareCommand compare(app, arguments.data);
   CsgCommand csg(app);
   GraphCommand graph(app, arguments.data);
   NoiseCommand noise(app);
@@ -221,6 +226,7 @@ int run(int argc, char** argv) {
     throw UsageError(std::string(error.what()) + " (see --help)");
   }
   if (is_list || listing->parsed()) return list();
+  if (compare.is_chosen()) return compare.run();
   if (csg.is_chosen()) return csg.run();
   if (graph.is_chosen()) return graph.run();
   if (noise.is_chosen()) return noise.run();

@@ -217,4 +217,55 @@ run "$view" graph --scene rocket --time 0:3 --frames 3
 expect_exit 0
 expect_says 'no display'
 expect_prints 't = 1.5 s'
+
+run "$view" compare --help
+expect_exit 0
+expect_quiet
+for word in --accel --scene --show --count --against --alone --ray --pick --turn --out Examples histogram; do
+  expect_prints "$word"
+done
+compare=("$view" compare --accel kd-tree,bih,kd-tree:max_leaf_size=32 --scene teapot:3)
+refuses 2 'two to six structures, found 1' "$view" compare --accel kd-tree --out a.png
+refuses 2 'found 7' "$view" compare --accel bih,bih,bih,bih,bih,bih,bih --out a.png
+refuses 2 no-such-tree "$view" compare --accel kd-tree,no-such-tree --out a.png
+refuses 2 max_leaf_size "$view" compare --accel kd-tree,bih:max_leaf_size=-1 --out a.png
+refuses 2 'no accelerator' "${compare[@]}" --set grid.no_such_field=1 --out a.png
+refuses 2 'walk, work, difference, histogram or all' "${compare[@]}" --show everything --out a.png
+refuses 2 'nodes, candidates, all' "${compare[@]}" --count triangles --out a.png
+refuses 2 --against "${compare[@]}" --against grid --out a.png
+refuses 2 --alone "${compare[@]}" --alone 4 --out a.png
+refuses 2 'six finite numbers' "${compare[@]}" --ray 1,2,3 --out a.png
+refuses 2 'six finite numbers' "${compare[@]}" --ray 0,0,0,nan,0,0 --out a.png
+refuses 2 'not zero' "${compare[@]}" --ray 0,0,0,0,0,0 --out a.png
+refuses 2 'finite as float' "${compare[@]}" --ray 0,0,0,1e200,0,0 --out a.png
+refuses 2 'a panel shows' "${compare[@]}" --pick 2,2 --out a.png
+refuses 2 'a panel shows' "${compare[@]}" --pick 100.5,200 --out a.png
+refuses 2 'a panel shows' "${compare[@]}" --pick 1e300,200 --out a.png
+refuses 2 excludes "${compare[@]}" --pick 100,200 --ray 0,0,0,1,0,0 --out a.png
+refuses 2 --pick "${compare[@]}" --turn 30 --out a.png
+refuses 2 'a number' "${compare[@]}" --zoom nan --out a.png
+refuses 2 'at least 960x540' "${compare[@]}" --size 800x500 --out a.png
+refuses 2 .json "${compare[@]}" --out a.bmp
+refuses 2 no-such-scene "$view" compare --scene no-such-scene --out a.json
+refuses 1 /dev/null "${compare[@]}" --out /dev/null/a.json
+run "${compare[@]}" --size 960x540 --against bih --out a.json --out a.csv
+expect_exit 0
+expect_quiet
+expect_prints 'the same bits in all 3 structures'
+expect_file a.json
+expect_file a.csv
+check 'the labels in the data' grep -q '^"\?kd-tree:max_leaf_size=32"\?,candidates,0,0,' "$work/a.csv"
+check 'equal hits in the data' grep -q '"same_hits": true' "$work/a.json"
+run "${compare[@]}" --size 960x540 --show all --count candidates --against bih --out a.png --out a.svg
+expect_exit 0
+for kind in walk work difference histogram; do expect_file "a-$kind.png"; done
+run_again "${compare[@]}" --size 960x540 --show walk --count candidates --against bih --out b.png --out b.svg
+expect_exit 0
+check 'the same walks twice' cmp -s "$work/a-walk.png" "$work/b.png"
+check 'the same histograms twice' cmp -s "$work/a.svg" "$work/b.svg"
+check 'work and walks to look different' test "$(cksum <"$work/a-work.png")" != "$(cksum <"$work/a-walk.png")"
+check 'a drawing in SVG' grep -q '<svg' "$work/a.svg"
+run "${compare[@]}"
+expect_exit 0
+expect_says 'no display'
 finish

@@ -42,6 +42,30 @@ class CandidateSteps {
   Hit<float> best_;
 };
 
+/// A grid shows no cells that are empty, but rays pass through them: their places, from their numbers, which count
+/// along x, then y, then z.
+class EmptyGridCells {
+ public:
+  void see(const Cell& cell) {
+    if (cell.depth == 0) root_ = std::get<Aabb>(cell.region);
+    if (cell.depth == 1 && !size_) size_ = Vec3d(std::get<Aabb>(cell.region).extent());
+  }
+  /// Nothing where there is no cell of the first level to learn the size from.
+  std::optional<Cell> cell(std::uint32_t node) const {
+    if (!root_ || !size_) return std::nullopt;
+    const Vec3d counts = glm::max(glm::round(Vec3d(root_->extent()) / *size_), Vec3d(1));
+    const auto across = static_cast<std::uint32_t>(counts.x), up = static_cast<std::uint32_t>(counts.y);
+    const Vec3d place(node % across, node / across % up, node / across / up);
+    if (place.z >= counts.z) return std::nullopt;
+    const Vec3d lo(root_->lo), step = Vec3d(root_->extent()) / counts;
+    return Cell{Aabb{Vec3f(lo + place * step), Vec3f(lo + (place + Vec3d(1)) * step)}, 1, true, {}, node};
+  }
+
+ private:
+  std::optional<Aabb> root_;
+  std::optional<Vec3d> size_;
+};
+
 }  // namespace
 
 TraversalStats Walk::statistics() const {
@@ -111,17 +135,25 @@ Walk record_walk(const Tracer& tracer, const Ray<float>& ray) {
                             step == opened.end() ? std::nullopt : std::optional(step->second)});
     }
   };
+  const bool is_grid = tracer.name() == "grid";
+  EmptyGridCells empty_cells;
   tracer.for_each_cell([&](const Cell& cell) {
     ++walk.all_cells;
+    if (is_grid) empty_cells.see(cell);
     const auto level = static_cast<std::size_t>(cell.depth);
     path.resize(level);
     path.push_back({cell, std::nullopt});
     const bool is_beside = walk.puts_aside_ && level > 0 && opened.contains(path[level - 1].cell.node);
-    const bool is_root_of_walk = level == 0 && !walk.steps.empty();
-    if (is_root_of_walk || is_beside || opened.contains(cell.node)) keep(level);
+    if (is_beside || opened.contains(cell.node)) keep(level);
+    if (is_grid && level == 0) keep(0);
   });
-  for (const WalkStep& step : walk.steps) {
-    if (step.kind == Kind::visit && !walk.cells.empty()) walk.by_node_.emplace(step.node, 0);
+  for (std::size_t i = 0; is_grid && i < walk.steps.size(); ++i) {
+    const std::uint32_t node = walk.steps[i].node;
+    if (walk.by_node_.contains(node)) continue;
+    const auto cell = empty_cells.cell(node);
+    walk.by_node_.emplace(node, cell ? walk.cells.size() : 0);
+    if (!cell) continue;
+    walk.cells.push_back({*cell, 0, i});
   }
   return walk;
 }

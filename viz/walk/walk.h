@@ -46,7 +46,8 @@ class Walk {
 
   /// The same as the traversal's own statistics.
   TraversalStats statistics() const;
-  /// Index into cells; of a grid's empty cells, which for_each_cell leaves out, that of the whole grid.
+  /// Index into cells; of a grid's empty cell, of which for_each_cell shows nothing, that of its place, or of the whole
+  /// grid where that cannot be told.
   /// \throws std::out_of_range for a node that is not there
   std::size_t cell_of(std::uint32_t node) const { return by_node_.at(node); }
   /// Cells put aside at the end of this step and taken up, or dropped, later; the next to be taken up comes first.
