@@ -19,6 +19,7 @@
 #include "viz/texture/texture_commands.h"
 #include "viz/view_options.h"
 #include "viz/virtual_screen.h"
+#include "viz/walk/walk_command.h"
 
 namespace sightline::viz {
 namespace {
@@ -39,6 +40,8 @@ Examples
       the cells that the middle plane cuts, and their sections
   sightline-view partitions --accel kd-tree --scene teapot --leaves --set kd-tree.max_leaf_size=16 --out leaves.vtp
       the leaves of a coarser tree as data, for ParaView
+  sightline-view walk --accel box-tree --scene teapot --out walk.png
+      a ray's way through a structure, step by step: see walk --help
   sightline-view csg --solid widget --out widget.png
       a ray's interval ladder through a solid: see csg --help
   sightline-view graph --scene levels:4 --select left/left --drag=-0.9,0.7,0 --out bubble.png
@@ -52,7 +55,7 @@ Examples
 
 Exit status: 0 done, 1 failure, 2 wrong usage.)";
 
-const std::string subcommand_names = "partitions, csg, graph, noise, wood, normals, picture or list";
+const std::string subcommand_names = "partitions, walk, csg, graph, noise, wood, normals, picture or list";
 
 struct Arguments {
   std::string accelerator = "kd-tree", scene = "teapot", out, depth, slice, size = "1200x900",
@@ -159,6 +162,7 @@ int run(int argc, char** argv) {
   app.add_option("--data", arguments.data, "Folder of scene data")->option_text("DIR");
   CLI::App* listing = app.add_subcommand("list", "The accelerators with their options, and the scenes");
   CLI::App* command = app.add_subcommand("partitions", "The cells of a structure over the mesh");
+  WalkCommand walk(app, arguments.data);
   CsgCommand csg(app);
   GraphCommand graph(app, arguments.data);
   NoiseCommand noise(app);
@@ -217,6 +221,7 @@ int run(int argc, char** argv) {
     throw UsageError(std::string(error.what()) + " (see --help)");
   }
   if (is_list || listing->parsed()) return list();
+  if (walk.is_chosen()) return walk.run();
   if (csg.is_chosen()) return csg.run();
   if (graph.is_chosen()) return graph.run();
   if (noise.is_chosen()) return noise.run();
