@@ -48,7 +48,7 @@ WalkLayout::WalkLayout(int pixel_width, int pixel_height)
 std::vector<Tick> lay_out_timeline(const Walk& walk, const Panel& panel) {
   std::vector<Tick> ticks;
   if (walk.steps.empty()) return ticks;
-  constexpr double narrowest = 2, widest = 34;
+  constexpr double narrowest = 2, widest = 70;
   const auto room = static_cast<std::size_t>(panel.width / narrowest);
   const std::size_t together = (walk.steps.size() + room - 1) / room;
   const std::size_t count = (walk.steps.size() + together - 1) / together;

@@ -111,9 +111,9 @@ WalkSpace::WalkSpace(vtkRenderWindow& window, const TriangleMesh& coarse, double
   normals->SplittingOff();
   normals->ConsistencyOff();
   normals->Update();
-  auto surface = add_actor(*mesh_, normals->GetOutput(), {0.93, 0.925, 0.91}, 1);
-  surface->GetProperty()->SetAmbient(0.42);
-  surface->GetProperty()->SetDiffuse(0.58);
+  auto surface = add_actor(*mesh_, normals->GetOutput(), {0.97, 0.965, 0.95}, 1);
+  surface->GetProperty()->SetAmbient(0.6);
+  surface->GetProperty()->SetDiffuse(0.42);
   over_->SetLayer(1);
   over_->SetActiveCamera(mesh_->GetActiveCamera());
   window.AddRenderer(mesh_);
@@ -129,7 +129,9 @@ void WalkSpace::place(const Panel& panel, const WalkLayout& layout) {
 
 void WalkSpace::add_lines(vtkPolyData* data, const Rgb& color, double width, double opacity) {
   if (data->GetNumberOfCells() == 0) return;
-  auto actor = add_actor(*over_, data, color, opacity);
+  Rgb blended = color;
+  for (double& component : blended) component = 1 - opacity * (1 - component);
+  auto actor = add_actor(*over_, data, blended, 1);
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetLineWidth(static_cast<float>(width * scale_));
 }
@@ -151,12 +153,15 @@ void WalkSpace::show(const WalkModel& model, std::size_t step, const Axes& axes)
   add_lines(dashed(*cell_outlines(made, axes.z), 0.012 * size_of(model)), ink, 1.2, 1);
   add_lines(outlines(CellState::pending), color_of(CellState::pending), 2, 0.9);
   add_lines(outlines(CellState::current), color_of(CellState::current), 3.6, 1);
-  const auto& current = cells[static_cast<std::size_t>(CellState::current)];
-  if (!current.empty()) {
-    add_actor(*over_, cell_surfaces(current), color_of(CellState::current), 0.16)->GetProperty()->LightingOff();
-  }
   add_candidates(model, step);
   add_ray(model, step);
+  const auto& current = cells[static_cast<std::size_t>(CellState::current)];
+  if (current.empty()) return;
+  // Last, over all that is within. As VTK takes it for opaque there is no pass for what is translucent, which costs more
+  // than all else.
+  auto fill = add_actor(*over_, cell_surfaces(current), color_of(CellState::current), 0.16);
+  fill->GetProperty()->LightingOff();
+  fill->ForceOpaqueOn();
 }
 
 void WalkSpace::add_candidates(const WalkModel& model, std::size_t step) {

@@ -22,6 +22,7 @@ class WalkSpace {
   void aim(const SpaceCamera& camera);
 
  private:
+  /// `opacity` is that over white: what is translucent is slow.
   void add_lines(vtkPolyData* data, const std::array<double, 3>& color, double width, double opacity);
   void add_ray(const WalkModel& model, std::size_t step);
   void add_candidates(const WalkModel& model, std::size_t step);

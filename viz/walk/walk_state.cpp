@@ -9,6 +9,17 @@ namespace {
 
 using Kind = WalkStep::Kind;
 
+/// With as many digits as tell it from the other.
+std::string text_beside(double t, double other) {
+  char text[32], beside[32];
+  for (int digits = 4; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, t);
+    std::snprintf(beside, sizeof beside, "%.*g", digits, other);
+    if (std::string_view(text) != beside) break;
+  }
+  return std::isinf(t) || t == other ? text_of_t(t) : text;
+}
+
 std::string visit_sentence(const Walk& walk, const WalkStep& step, std::size_t cell) {
   const std::string name = "node " + std::to_string(step.node), at = " at t = " + text_of_t(step.t);
   const Children children = children_of(walk, cell);
@@ -124,8 +135,8 @@ std::string sentence_of(const Walk& walk, std::size_t index) {
     case Kind::candidate:
       return candidate_sentence(step, index > 0 ? walk.hit_at(index - 1) : Hit<float>());
     case Kind::cull:
-      return "Drops node " + name + " unopened: it begins at t = " + text_of_t(step.t) +
-             ", beyond the far limit t = " + text_of_t(step.far) + ".";
+      return "Drops node " + name + " unopened: it begins at t = " + text_beside(step.t, step.far) +
+             ", beyond the far limit " + text_beside(step.far, step.t) + ".";
   }
   return {};
 }

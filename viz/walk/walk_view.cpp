@@ -76,6 +76,7 @@ void WalkView::show(const WalkModel& model, std::size_t step, const WalkLook& lo
   space_.place(layout.space, layout);
   space_.show(model, step, axes_toward(look.azimuth, look.elevation));
   turn(model, step, look);
+  flat_->DrawOn();
   if (!has_help) return;
   labels_->RemoveAllViewProps();
   Canvas help(layout.height(), scale_ * layout.unit());
@@ -84,6 +85,7 @@ void WalkView::show(const WalkModel& model, std::size_t step, const WalkLook& lo
 }
 
 void WalkView::turn(const WalkModel& model, std::size_t step, const WalkLook& look) {
+  flat_->DrawOff();  // what it has drawn stays in the window
   const WalkLayout layout = look.layout();
   const SpaceCamera camera = look.camera(model);
   space_.aim(camera);
