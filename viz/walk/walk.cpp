@@ -119,6 +119,10 @@ Walk record_walk(const Tracer& tracer, const Ray<float>& ray) {
     const bool is_beside = walk.puts_aside_ && level > 0 && opened.contains(path[level - 1].cell.node);
     if (is_beside || opened.contains(cell.node)) keep(level);
   });
+  // Grids keep no empty cells, though rays pass through them.
+  for (const WalkStep& step : walk.steps) {
+    if (!walk.cells.empty()) walk.by_node_.emplace(step.node, 0);
+  }
   return walk;
 }
 

@@ -46,7 +46,8 @@ class Walk {
 
   /// The same as the traversal's own statistics.
   TraversalStats statistics() const;
-  /// Index into cells. \throws std::out_of_range for a node that is not there
+  /// Index into cells; the root's for an empty cell of a grid, which has a number and no region. \throws
+  /// std::out_of_range for a node that is not there
   std::size_t cell_of(std::uint32_t node) const { return by_node_.at(node); }
   /// Cells put aside at the end of this step and taken up, or dropped, later; the next to be taken up comes first.
   /// Nothing for a grid, which puts nothing aside.
