@@ -117,7 +117,8 @@ Walk record_walk(const Tracer& tracer, const Ray<float>& ray) {
     path.resize(level);
     path.push_back({cell, std::nullopt});
     const bool is_beside = walk.puts_aside_ && level > 0 && opened.contains(path[level - 1].cell.node);
-    if (is_beside || opened.contains(cell.node)) keep(level);
+    const bool is_root = level == 0 && !opened.empty();
+    if (is_root || is_beside || opened.contains(cell.node)) keep(level);
   });
   // Grids keep no empty cells, though rays pass through them.
   for (const WalkStep& step : walk.steps) {

@@ -40,7 +40,7 @@ Examples
       the ray through a pixel of the picture, then seen from 40 degrees farther to the right
   sightline-view walk --frames out/walk --every 2
       every other step as a picture of its own
-  sightline-view walk --set bih.lazy=1 --accel bih --after 20 --out grown.png
+  sightline-view walk --set bih.lazy=true --accel bih --after 20 --out grown.png
       what a ray adds to a tree that 20 random rays have made)";
 
 enum class Form { png, json, vtp, gltf };

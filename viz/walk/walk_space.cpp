@@ -157,8 +157,8 @@ void WalkSpace::show(const WalkModel& model, std::size_t step, const Axes& axes)
   add_ray(model, step);
   const auto& current = cells[static_cast<std::size_t>(CellState::current)];
   if (current.empty()) return;
-  // Last, over all that is within. As VTK takes it for opaque there is no pass for what is translucent, which costs more
-  // than all else.
+  // Last, over all that is within. As VTK takes it for opaque there is no pass for what is translucent, which costs
+  // more than all else.
   auto fill = add_actor(*over_, cell_surfaces(current), color_of(CellState::current), 0.16);
   fill->GetProperty()->LightingOff();
   fill->ForceOpaqueOn();

@@ -22,6 +22,7 @@ std::string text_beside(double t, double other) {
 
 std::string visit_sentence(const Walk& walk, const WalkStep& step, std::size_t cell) {
   const std::string name = "node " + std::to_string(step.node), at = " at t = " + text_of_t(step.t);
+  if (walk.cells[cell].cell.node != step.node) return "Passes through an empty cell, " + name + "," + at + ".";
   const Children children = children_of(walk, cell);
   if (children.met.empty() && children.beside.empty()) {
     return "Enters " + name + at + ": it has nothing to test.";

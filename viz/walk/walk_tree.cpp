@@ -78,8 +78,9 @@ TreeLayout lay_out_tree(const Walk& walk, std::span<const CellState> states, std
   const int most_levels = std::max(2, static_cast<int>(panel.height / least_level));
   int deepest = 0;
   for (const WalkCell& cell : walk.cells) deepest = std::max(deepest, cell.cell.depth);
-  layout.first_depth =
-      std::clamp(walk.cells[current].cell.depth - most_levels + 4, 0, std::max(0, deepest + 1 - most_levels));
+  const int below = std::min(3, most_levels - 2);  // levels shown beneath the current cell
+  layout.first_depth = std::clamp(walk.cells[current].cell.depth + below + 1 - most_levels, 0,
+                                  std::max(0, deepest + 1 - most_levels));
   const int last_depth = layout.first_depth + most_levels - 1;
 
   Choice choice(walk);
