@@ -114,9 +114,9 @@ void draw_treemap(Canvas& canvas, const WalkLayout& layout, const WalkModel& mod
     if (p.width < 0.5 || p.height < 0.5) continue;
     const bool is_opened_inner = has_children[i] != 0 && states[i] == CellState::opened;
     if (!is_opened_inner && states[i] != CellState::unseen) {
-      canvas.rectangle({p.x, p.y}, p.width, p.height,
-                       states[i] == CellState::beside ? Rgb{1, 1, 1} : color_of(states[i]),
-                       states[i] == CellState::current ? 1 : 0.62);
+      // Opaque, so that what is within does not mix with it.
+      const double share = states[i] == CellState::beside ? 0 : states[i] == CellState::current ? 1 : 0.62;
+      canvas.rectangle({p.x, p.y}, p.width, p.height, over_white(color_of(states[i]), share));
     }
     if (states[i] == CellState::culled && p.width > 8 && p.height > 8) {
       canvas.line({p.x, p.y}, {p.x + p.width, p.y + p.height}, 1.5, color_of(CellState::culled));

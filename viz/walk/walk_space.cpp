@@ -129,9 +129,7 @@ void WalkSpace::place(const Panel& panel, const WalkLayout& layout) {
 
 void WalkSpace::add_lines(vtkPolyData* data, const Rgb& color, double width, double opacity) {
   if (data->GetNumberOfCells() == 0) return;
-  Rgb blended = color;
-  for (double& component : blended) component = 1 - opacity * (1 - component);
-  auto actor = add_actor(*over_, data, blended, 1);
+  auto actor = add_actor(*over_, data, over_white(color, opacity), 1);
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetLineWidth(static_cast<float>(width * scale_));
 }

@@ -79,8 +79,8 @@ TreeLayout lay_out_tree(const Walk& walk, std::span<const CellState> states, std
   int deepest = 0;
   for (const WalkCell& cell : walk.cells) deepest = std::max(deepest, cell.cell.depth);
   const int below = std::min(3, most_levels - 2);  // levels shown beneath the current cell
-  layout.first_depth = std::clamp(walk.cells[current].cell.depth + below + 1 - most_levels, 0,
-                                  std::max(0, deepest + 1 - most_levels));
+  layout.first_depth =
+      std::clamp(walk.cells[current].cell.depth + below + 1 - most_levels, 0, std::max(0, deepest + 1 - most_levels));
   const int last_depth = layout.first_depth + most_levels - 1;
 
   Choice choice(walk);
