@@ -145,7 +145,7 @@ void WalkSpace::show(const WalkModel& model, std::size_t step, const Axes& axes)
     if (model.is_new[i] && states[i] != CellState::unseen) made.push_back(cell);
   }
   const auto outlines = [&](CellState state) { return cell_outlines(cells[static_cast<std::size_t>(state)], axes.z); };
-  add_lines(outlines(CellState::beside), color_of(CellState::beside), 0.8, 0.5);
+  add_lines(outlines(CellState::beside), {0.8, 0.81, 0.84}, 0.8, 1);
   add_lines(outlines(CellState::opened), color_of(CellState::opened), 1.2, 0.8);
   add_lines(dashed(*outlines(CellState::culled), 0.025 * size_of(model)), color_of(CellState::culled), 2, 1);
   add_lines(dashed(*cell_outlines(made, axes.z), 0.012 * size_of(model)), ink, 1.2, 1);
