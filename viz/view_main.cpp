@@ -20,6 +20,7 @@
 #include "viz/texture/texture_commands.h"
 #include "viz/view_options.h"
 #include "viz/virtual_screen.h"
+#include "viz/walk/walk_command.h"
 #include "viz/web/page_command.h"
 
 namespace sightline::viz {
@@ -43,6 +44,8 @@ Examples
       the leaves of a coarser tree as data, for ParaView
   sightline-view compare --out walks.png
       structures side by side on the same ray: see compare --help
+  sightline-view walk --accel box-tree --scene teapot --out walk.png
+      a ray's way through a structure, step by step: see walk --help
   sightline-view csg --solid widget --out widget.png
       a ray's interval ladder through a solid: see csg --help
   sightline-view graph --scene levels:4 --select left/left --drag=-0.9,0.7,0 --out bubble.png
@@ -167,6 +170,7 @@ int run(int argc, char** argv) {
   CLI::App* listing = app.add_subcommand("list", "The accelerators with their options, and the scenes");
   CLI::App* command = app.add_subcommand("partitions", "The cells of a structure over the mesh");
   CompareCommand compare(app, arguments.data);
+  WalkCommand walk(app, arguments.data);
   CsgCommand csg(app);
   GraphCommand graph(app, arguments.data);
   NoiseCommand noise(app);
@@ -227,6 +231,7 @@ int run(int argc, char** argv) {
   }
   if (is_list || listing->parsed()) return list();
   if (compare.is_chosen()) return compare.run();
+  if (walk.is_chosen()) return walk.run();
   if (csg.is_chosen()) return csg.run();
   if (graph.is_chosen()) return graph.run();
   if (noise.is_chosen()) return noise.run();

@@ -134,6 +134,18 @@ TEST_P(EveryStructure, WhatIsPutAsideIsTakenUpOrDropped) {
   EXPECT_EQ(most > 0, puts_aside);
 }
 
+TEST_P(EveryStructure, KnowsTheCellOfEveryStepWhereSomeAreEmpty) {
+  const auto mesh = load_scene("teapot:4", "");
+  const auto tracer = make_tracer(GetParam(), mesh);
+  for (const Ray<float>& ray : some_rays(*mesh)) {
+    const Walk walk = record_walk(*tracer, ray);
+    for (const WalkStep& step : walk.steps) {
+      ASSERT_LT(walk.cell_of(step.node), walk.cells.size());
+      EXPECT_TRUE(step.kind == WalkStep::Kind::visit || walk.cells[walk.cell_of(step.node)].cell.node == step.node);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Registry, EveryStructure, testing::ValuesIn(names()), name_of);
 
 }  // namespace
