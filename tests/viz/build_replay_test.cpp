@@ -1,0 +1,117 @@
+/// Stepping through construction: what is weighed outside of the library is what its builders decided, node by node.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "sightline/query/primitives_of.h"
+#include "sightline/scene/scenes.h"
+#include "viz/build/build_tree.h"
+#include "viz/build/replay.h"
+
+namespace sightline::viz {
+namespace {
+
+using Ids = std::vector<std::uint32_t>;
+
+Ids sorted(Ids ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+struct Case {
+  std::string accelerator, scene;
+  std::vector<TracerSettings::Option> options;
+  bool has_rules = false;  ///< Some nodes are divided by a rule, not by cost.
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.accelerator << " on " << c.scene;
+  for (const auto& [name, value] : c.options) *out << ", " << name << " = " << value;
+}
+
+class BuildReplayOf : public testing::TestWithParam<Case> {};
+
+struct Seen {
+  std::size_t by_cost = 0, by_rule = 0, leaves = 0;
+};
+
+/// The cheapest candidate of those that are none of a rule.
+double least_cost(const Decision& decision) {
+  double least = 1e300;
+  for (const BuildCandidate& candidate : decision.candidates) {
+    if (candidate.label.empty()) least = std::min(least, candidate.cost);
+  }
+  return least;
+}
+
+/// Space is divided: the children's boxes meet in the plane chosen.
+void expect_plane(const Case& c, const BuildTree& tree, const BuildNode& node, const BuildCandidate& chosen) {
+  if (c.accelerator != "kd-tree") return;
+  const Aabb below = std::get<Aabb>(tree[node.children[0]].cell.region);
+  const Aabb above = std::get<Aabb>(tree[node.children[1]].cell.region);
+  EXPECT_EQ(double(below.hi[chosen.axis]), chosen.position);
+  EXPECT_EQ(double(above.lo[chosen.axis]), chosen.position);
+}
+
+TEST_P(BuildReplayOf, DecidesAsTheBuilderDid) {
+  const Case& c = GetParam();
+  const auto mesh = load_scene(c.scene, SIGHTLINE_DATA_DIR);
+  const PrimitivesOf primitives(*mesh);
+  TracerSettings settings;
+  settings.options = c.options;
+  const auto tracer = make_tracer(c.accelerator, mesh, settings);
+  const BuildTree tree(*tracer);
+  const auto replay = make_replay(c.accelerator, primitives, settings);
+  Seen seen;
+  for (std::size_t i = 0; i < tree.nodes().size() && !HasFailure(); ++i) {
+    SCOPED_TRACE("node " + std::to_string(i));
+    const BuildNode& node = tree[i];
+    const Decision decision = replay->decide(tree.way_to(i));
+    EXPECT_EQ(sorted(decision.primitives), tree.primitives_below(i));
+    ASSERT_EQ(decision.is_divided, !node.children.empty()) << decision.reason;
+    EXPECT_FALSE(decision.reason.empty());
+    if (!decision.is_divided) {
+      ++seen.leaves;
+      continue;
+    }
+    ASSERT_EQ(node.children.size(), 2u);
+    EXPECT_EQ(sorted(decision.below), tree.primitives_below(node.children[0]));
+    EXPECT_EQ(sorted(decision.above), tree.primitives_below(node.children[1]));
+    if (!decision.chosen) {
+      ++seen.by_rule;
+      continue;
+    }
+    const BuildCandidate& chosen = decision.candidates.at(*decision.chosen);
+    expect_plane(c, tree, node, chosen);
+    if (!chosen.label.empty()) {
+      ++seen.by_rule;
+      continue;
+    }
+    ++seen.by_cost;
+    EXPECT_EQ(chosen.cost, least_cost(decision));
+    EXPECT_EQ(chosen.below, decision.below.size());
+    EXPECT_EQ(chosen.above, decision.above.size());
+  }
+  EXPECT_EQ(seen.by_rule > 0, c.has_rules);
+  EXPECT_GT(seen.leaves, 20u);
+  EXPECT_GT(seen.by_cost, 20u);
+  std::cout << "  " << seen.by_cost << " by cost, " << seen.by_rule << " by rule, " << seen.leaves << " leaves\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Structures, BuildReplayOf,
+    testing::Values(Case{"kd-tree", "teapot:4", {}}, Case{"kd-tree", "teapot:4", {{"quality", "fast"}}},
+                    Case{"kd-tree", "teapot:3", {{"quality", "best"}, {"max_leaf_size", "1"}}},
+                    Case{"kd-tree", "sticks:300", {}, true}, Case{"kd-tree", "integers:300", {{"max_leaf_size", "2"}}},
+                    Case{"box-tree", "teapot:4", {}}, Case{"box-tree", "teapot:4", {{"quality", "fast"}}},
+                    Case{"box-tree", "teapot:4", {{"quality", "best"}}},
+                    Case{"box-tree", "sticks:300", {{"quality", "best"}}},
+                    Case{"box-tree", "teapot:3", {{"bins", "5"}, {"max_leaf_size", "1"}}},
+                    Case{"sphere-tree", "teapot:4", {}}, Case{"cylinder-tree", "teapot:4", {}}));
+
+}  // namespace
+}  // namespace sightline::viz
