@@ -8,6 +8,7 @@
 #include "sightline/io/output_file.h"
 #include "sightline/io/progress.h"
 #include "sightline/scene/scenes.h"
+#include "viz/build/build_command.h"
 #include "viz/cell_export.h"
 #include "viz/csg_command.h"
 #include "viz/graph/graph_command.h"
@@ -41,6 +42,8 @@ Examples
       the leaves of a coarser tree as data, for ParaView
   sightline-view csg --solid widget --out widget.png
       a ray's interval ladder through a solid: see csg --help
+  sightline-view build --accel kd-tree --scene teapot --step 3 --out step.png
+      what a builder weighed at a node, and what it took: see build --help
   sightline-view graph --scene levels:4 --select left/left --drag=-0.9,0.7,0 --out bubble.png
       a scene's tree, and an event that bubbles up in it: see graph --help
   sightline-view noise --kind perlin --out noise.png
@@ -52,7 +55,7 @@ Examples
 
 Exit status: 0 done, 1 failure, 2 wrong usage.)";
 
-const std::string subcommand_names = "partitions, csg, graph, noise, wood, normals, picture or list";
+const std::string subcommand_names = "partitions, build, csg, graph, noise, wood, normals, picture or list";
 
 struct Arguments {
   std::string accelerator = "kd-tree", scene = "teapot", out, depth, slice, size = "1200x900",
@@ -159,6 +162,7 @@ int run(int argc, char** argv) {
   app.add_option("--data", arguments.data, "Folder of scene data")->option_text("DIR");
   CLI::App* listing = app.add_subcommand("list", "The accelerators with their options, and the scenes");
   CLI::App* command = app.add_subcommand("partitions", "The cells of a structure over the mesh");
+  BuildCommand build(app, arguments.data);
   CsgCommand csg(app);
   GraphCommand graph(app, arguments.data);
   NoiseCommand noise(app);
@@ -217,6 +221,7 @@ int run(int argc, char** argv) {
     throw UsageError(std::string(error.what()) + " (see --help)");
   }
   if (is_list || listing->parsed()) return list();
+  if (build.is_chosen()) return build.run();
   if (csg.is_chosen()) return csg.run();
   if (graph.is_chosen()) return graph.run();
   if (noise.is_chosen()) return noise.run();

@@ -40,7 +40,9 @@ struct Decision {
   std::string reason;                      ///< What was decided and why, one sentence.
   std::string how;                         ///< What was weighed: "perfect splits: every plane at which ..."
   DecisionChart chart = DecisionChart::by_position;
-  std::string position_title;  ///< Of the chart's first axis; empty where the unit is the scene's.
+  std::string position_title;              ///< Of the first axis, where that is no position in the scene.
+  std::string leaf_title = "a leaf";       ///< Of leaf_cost.
+  std::string other_title = "other planes";  ///< Candidates whose axis is -1.
 };
 
 }  // namespace sightline::viz

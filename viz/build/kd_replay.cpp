@@ -133,13 +133,13 @@ class KdReplay final : public BuildReplay {
     const std::string place = place_text(split.axis, split.place);
     if (is_halved) {
       return {split, true,
-              "is halved at " + place + ": no plane saves a tenth of the " + short_number(state.count) +
+              "is halved at " + place + ": no plane saves a tenth of the " + cost_text(state.count) +
                   " that a leaf would cost, and it holds more than " + std::to_string(crowd_size)};
     }
     const bool is_empty = split.count_below == 0 || split.count_above == 0;
     return {split, false,
-            "splits at " + place + " for " + short_number(split.cost / costs_.intersection) + ", a leaf would cost " +
-                short_number(state.count) + (is_empty ? "; one side is empty, which is rewarded" : "")};
+            "splits at " + place + " for " + cost_text(split.cost / costs_.intersection) + ", a leaf would cost " +
+                cost_text(state.count) + (is_empty ? "; one side is empty, which is rewarded" : "")};
   }
 
   KdState child(const KdState& state, int turn, int depth) {

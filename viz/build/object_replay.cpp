@@ -28,7 +28,7 @@ std::string object_reason(const ObjectOutcome& outcome, const ObjectSplitCosts& 
       return "stays a leaf: at the quality fast, " + most + " triangles or fewer are not weighed";
     }
     if (is_deep || outcome.candidates.empty()) return "stays a leaf: it holds no more than " + most + " triangles";
-    return "stays a leaf for " + short_number(outcome.leaf_cost) + ": no cut costs less";
+    return "stays a leaf for " + cost_text(outcome.leaf_cost) + ": no cut costs less";
   }
   if (outcome.is_median) {
     return std::string("is halved by number: ") +
@@ -36,8 +36,8 @@ std::string object_reason(const ObjectOutcome& outcome, const ObjectSplitCosts& 
   }
   const BuildCandidate& taken = outcome.candidates[*outcome.chosen];
   const bool had_choice = outcome.leaf_cost <= costs.max_leaf_size;
-  return "splits at " + place_text(taken.axis, taken.position) + " for " + short_number(taken.cost) +
-         ", a leaf would cost " + short_number(outcome.leaf_cost) +
+  return "splits at " + place_text(taken.axis, taken.position) + " for " + cost_text(taken.cost) +
+         ", a leaf would cost " + cost_text(outcome.leaf_cost) +
          (had_choice ? "" : " and may hold " + most + " triangles at most");
 }
 

@@ -37,7 +37,7 @@ std::unique_ptr<BuildReplay> make_replay(const std::string& accelerator, const P
   throw std::invalid_argument("build " + accelerator + ": expected one of " + known);
 }
 
-std::string short_number(double value) {
+std::string cost_text(double value) {
   char text[32];
   const double size = value < 0 ? -value : value;
   std::snprintf(text, sizeof text, size >= 1e5 || (size < 1e-3 && size > 0) ? "%.3g" : size >= 100 ? "%.0f" : "%.3g",

@@ -72,7 +72,7 @@ class WayStates {
 };
 
 /// "1.25", as few digits as tell costs and places apart for a person.
-std::string short_number(double value);
+std::string cost_text(double value);
 /// "x = 1.25".
 std::string place_text(int axis, double position);
 
