@@ -7,10 +7,12 @@
 #include <vtkContextActor.h>
 #include <vtkContextItem.h>
 #include <vtkContextScene.h>
+#include <vtkDoubleArray.h>
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
 #include <vtkRenderWindow.h>
 #include <vtkSVGExporter.h>
+#include <vtkStringArray.h>
 #include <vtkTextProperty.h>
 
 #include <algorithm>
@@ -50,6 +52,7 @@ class DrawnCosts : public vtkContextItem {
       vtkChartXY* chart = nullptr;
   const Decision* decision = nullptr;
   CostRange costs;
+  std::string title;
   double scale = 1;
 
   bool Paint(vtkContext2D* painter) override {
@@ -59,6 +62,7 @@ class DrawnCosts : public vtkContextItem {
     painter->GetTextProp()->SetBold(false);
     painter->GetTextProp()->SetOrientation(0);
     legend_ = x_of(chart->GetAxis(vtkAxis::BOTTOM)->GetMinimum()) + px(10);
+    if (!title.empty()) write(px(24), y_of(costs.hi) + px(52), title, ink);
     if (decision->chart == DecisionChart::ranked) {
       draw_bars();
     } else {
@@ -104,7 +108,7 @@ class DrawnCosts : public vtkContextItem {
   }
 
   void draw_curves() {
-    const float top = y_of(costs.hi) + px(12);
+    const float top = y_of(costs.hi) + px(14);
     for (int axis = decision->chart == DecisionChart::by_cells ? -1 : 0; axis < 3; ++axis) {
       std::vector<std::vector<float>> pieces(1);  // parted where a cost is beyond the chart
       std::size_t count = 0;
@@ -222,11 +226,26 @@ class DrawnCosts : public vtkContextItem {
 };
 vtkStandardNewMacro(DrawnCosts)
 
-    void style_axis(vtkAxis& axis, const std::string& title, double low, double high, double scale) {
+    /// Round numbers, some six of them.
+    void set_ticks(vtkAxis& axis, double low, double high) {
+  double step = std::pow(10, std::floor(std::log10((high - low) / 4)));
+  for (const double more : {2.0, 2.5, 2.0}) {
+    if ((high - low) / step > 8) step *= more;
+  }
+  auto places = New<vtkDoubleArray>::New();
+  auto labels = New<vtkStringArray>::New();
+  for (double at = std::ceil(low / step); at * step <= high; ++at) {
+    places->InsertNextValue(at * step);
+    labels->InsertNextValue(cost_text(at == 0 ? 0 : at * step));  // no -0
+  }
+  axis.SetCustomTickPositions(places, labels);
+}
+
+void style_axis(vtkAxis& axis, const std::string& title, double low, double high, double scale) {
   axis.SetTitle(title);
   axis.SetBehavior(vtkAxis::FIXED);
   axis.SetRange(low, high);
-  axis.SetVisible(true);
+  set_ticks(axis, low, high);
   for (vtkTextProperty* text : {axis.GetTitleProperties(), axis.GetLabelProperties()}) {
     text->SetFontFamilyToArial();
     text->SetFontSize(static_cast<int>(19 * scale));
@@ -283,14 +302,14 @@ CostRange cost_range(const Decision& decision) {
   return range;
 }
 
-vtkSmartPointer<vtkRenderer> chart_of(const Decision& decision, const std::string& title, double scale) {
+vtkSmartPointer<vtkRenderer> chart_of(const Decision& decision, const std::string& title, double width, double height,
+                                      double scale) {
   auto renderer = New<vtkRenderer>::New();
   renderer->SetBackground(1, 1, 1);
   auto chart = New<vtkChartXY>::New();
-  chart->SetTitle(title);
-  chart->GetTitleProperties()->SetFontFamilyToArial();
-  chart->GetTitleProperties()->SetFontSize(static_cast<int>(20 * scale));
-  chart->GetTitleProperties()->SetColor(ink[0], ink[1], ink[2]);
+  chart->SetAutoSize(false);
+  const double above = (title.empty() ? 40 : 80) * scale;  // for what the curves are called
+  chart->SetSize(vtkRectf(0, 0, static_cast<float>(width), static_cast<float>(height - above)));
   const CostRange costs = cost_range(decision);
   const auto [low, high] = positions(decision);
   style_axis(*chart->GetAxis(vtkAxis::BOTTOM), first_title(decision), low, high, scale);
@@ -300,6 +319,7 @@ vtkSmartPointer<vtkRenderer> chart_of(const Decision& decision, const std::strin
   drawn->chart = chart;
   drawn->decision = &decision;
   drawn->costs = costs;
+  drawn->title = title;
   drawn->scale = scale;
   auto actor = New<vtkContextActor>::New();
   actor->GetScene()->AddItem(chart);
@@ -315,7 +335,7 @@ void write_chart_svg(const std::filesystem::path& path, const Decision& decision
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
   window->SetSize(svg_width, svg_height);
-  window->AddRenderer(chart_of(decision, title, 1));
+  window->AddRenderer(chart_of(decision, title, svg_width, svg_height, 1));
   window->Render();
   auto exporter = New<vtkSVGExporter>::New();
   exporter->SetRenderWindow(window);

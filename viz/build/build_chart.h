@@ -22,8 +22,9 @@ struct CostRange {
 };
 CostRange cost_range(const Decision& decision);
 
-/// A renderer that holds nothing else. `scale` enlarges text and lines.
-vtkSmartPointer<vtkRenderer> chart_of(const Decision& decision, const std::string& title, double scale);
+/// A renderer that holds nothing else, of so many pixels. `scale` enlarges text and lines.
+vtkSmartPointer<vtkRenderer> chart_of(const Decision& decision, const std::string& title, double width, double height,
+                                      double scale);
 
 /// Needs a display (see PictureScreen) while it runs. \throws FileError
 void write_chart_svg(const std::filesystem::path& path, const Decision& decision, const std::string& title);

@@ -3,6 +3,7 @@
 #include <vtkRendererCollection.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "viz/build/build_chart.h"
 #include "viz/build/build_space.h"
@@ -18,7 +19,7 @@ template <class T>
 using New = vtkSmartPointer<T>;
 
 constexpr double reference_width = 1920;
-constexpr double margin_left = 36, space_right = 960, head = 124, foot = 50, legend_height = 64, facts_height = 250;
+constexpr double margin_left = 36, space_right = 960, head = 124, foot = 50, legend_height = 64, facts_height = 210;
 
 /// Text over several lines, no wider than that.
 std::vector<std::string> wrapped(const Canvas& canvas, const std::string& text, const Canvas::TextStyle& style,
@@ -63,6 +64,24 @@ void draw_legend(Canvas& canvas, const BuildStep& step, const SpaceTold& told, d
   x += canvas.text_width(text, style) + 10;
   for (int i = 0; i < 60; ++i) canvas.rectangle({x + 3.0 * i, y - 9}, 3.5, 18, ramp(i / 59.0));
   canvas.text({x + 190, y}, high, style);
+}
+
+/// What brings this picture back.
+std::string command_of(const BuildStep& step, const BuildLook& look) {
+  const BuildLook usual;
+  std::string text = step.command;
+  const auto add = [&](const std::string& flag, double value, double given) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%.4g", value);
+    if (value != given) text += ' ' + flag + ' ' + number;
+  };
+  add("--azimuth", look.azimuth, usual.azimuth);
+  add("--elevation", look.elevation, usual.elevation);
+  add("--zoom", look.zoom, usual.zoom);
+  if (look.width != usual.width || look.height != usual.height) {
+    text += " --size " + std::to_string(look.width) + 'x' + std::to_string(look.height);
+  }
+  return text;
 }
 
 constexpr const char* keys[] = {"Right, Left   next, previous node", "Up   the node above", "Down   the child below",
@@ -110,7 +129,7 @@ void BuildPicture::show_in(vtkRenderWindow& window, double scale) const {
     }
     y += 9;
   }
-  canvas.text({margin_left, height - 24}, canvas.shortened(step.command, {18, soft_ink}, reference_width - 180),
+  canvas.text({margin_left, height - 24}, canvas.shortened(command_of(step, look), {18, soft_ink}, reference_width - 180),
               {18, soft_ink});
   canvas.text({reference_width - margin_left, height - 24}, "H: keys", {18, soft_ink, Canvas::Align::right});
   if (look.has_help) {
@@ -126,8 +145,9 @@ void BuildPicture::show_in(vtkRenderWindow& window, double scale) const {
   canvas.add_to(*paper);
   window.AddRenderer(paper);
   window.AddRenderer(space);
-  auto chart = chart_of(step.decision, "", unit);
-  chart->SetViewport((space_right + 10) / reference_width, 1 - facts_top / height, 1 - 20 / reference_width,
+  constexpr double chart_left = space_right + 10, chart_right = reference_width - 20;
+  auto chart = chart_of(step.decision, "", (chart_right - chart_left) * unit, (facts_top - head) * unit, unit);
+  chart->SetViewport(chart_left / reference_width, 1 - facts_top / height, chart_right / reference_width,
                      1 - head / height);
   chart->InteractiveOff();
   window.AddRenderer(chart);

@@ -20,7 +20,7 @@ namespace {
 template <class T>
 using New = vtkSmartPointer<T>;
 
-constexpr int slots = 20;  // of each axis, of which the cheapest plane is drawn
+constexpr int slots = 10;  // of each axis, of which the cheapest plane is drawn
 
 vtkActor& add_actor(vtkRenderer& renderer, vtkPolyData* data, const Rgb& color, double opacity = 1) {
   auto mapper = New<vtkPolyDataMapper>::New();
@@ -186,7 +186,7 @@ SpaceTold show_space(vtkRenderer& space, const BuildStory& story, const BuildSte
     ++told.planes_drawn;
     const double span = told.dearest - told.cheapest;
     const Rgb color = ramp(span > 0 ? (candidate.cost - told.cheapest) / span : 0);
-    add_lines(space, polygons_of({corners}, false), color, 1.3 * scale, 0.9);
+    add_lines(space, polygons_of({corners}, false), color, 1.2 * scale, 0.85);
   }
 
   std::vector<Cell> children;

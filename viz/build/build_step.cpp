@@ -6,6 +6,7 @@
 
 #include "sightline/io/output_file.h"
 #include "viz/partition_picture.h"
+#include "viz/structure.h"
 
 namespace sightline::viz {
 namespace {
@@ -52,7 +53,7 @@ BuildStory::BuildStory(std::shared_ptr<const TriangleMesh> mesh, const Accelerat
       flags_(std::move(flags)),
       primitives_(*mesh_),
       tracer_(make_tracer(structure.accelerator, mesh_, structure.settings)),
-      tree_(*tracer_),
+      tree_((wake_lazy_cells(*tracer_), *tracer_)),
       replay_(make_replay(structure.accelerator, primitives_, structure.settings)) {}
 
 BuildStep BuildStory::step_at(std::size_t node) const {
@@ -60,6 +61,10 @@ BuildStep BuildStory::step_at(std::size_t node) const {
   step.node = node;
   step.step = tree_.step_of(node);
   step.decision = replay_->decide(tree_.way_to(node));
+  if (step.decision.is_divided && tree_[node].children.empty() && tracer_->is_lazy()) {
+    step.decision.reason = "is postponed: no ray of a first look has come here; the first one that does " +
+                           step.decision.reason;
+  }
   const Cell& cell = tree_[node].cell;
   step.title = structure_.accelerator + " on " + scene_ + ": " +
                (step.step ? "step " + with_commas(*step.step) + " of " + with_commas(tree_.steps().size()) : "a leaf") +

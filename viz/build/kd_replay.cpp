@@ -138,7 +138,7 @@ class KdReplay final : public BuildReplay {
     }
     const bool is_empty = split.count_below == 0 || split.count_above == 0;
     return {split, false,
-            "splits at " + place + " for " + cost_text(split.cost / costs_.intersection) + ", a leaf would cost " +
+            "splits at " + place + " for " + cost_text(split.cost / costs_.intersection) + " triangle tests, a leaf would cost " +
                 cost_text(state.count) + (is_empty ? "; one side is empty, which is rewarded" : "")};
   }
 

@@ -37,7 +37,7 @@ std::string object_reason(const ObjectOutcome& outcome, const ObjectSplitCosts& 
   const BuildCandidate& taken = outcome.candidates[*outcome.chosen];
   const bool had_choice = outcome.leaf_cost <= costs.max_leaf_size;
   return "splits at " + place_text(taken.axis, taken.position) + " for " + cost_text(taken.cost) +
-         ", a leaf would cost " + cost_text(outcome.leaf_cost) +
+         " triangle tests, a leaf would cost " + cost_text(outcome.leaf_cost) +
          (had_choice ? "" : " and may hold " + most + " triangles at most");
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace sightline::viz {
@@ -15,6 +16,7 @@ struct Entry {
 constexpr std::array entries{
     Entry{"kd-tree", make_kd_replay},         Entry{"box-tree", make_box_replay},
     Entry{"sphere-tree", make_sphere_replay}, Entry{"cylinder-tree", make_cylinder_replay},
+    Entry{"bih", make_bih_replay},
 };
 
 constexpr auto names = [] {
@@ -38,11 +40,17 @@ std::unique_ptr<BuildReplay> make_replay(const std::string& accelerator, const P
 }
 
 std::string cost_text(double value) {
+  const double size = std::fabs(value);
   char text[32];
-  const double size = value < 0 ? -value : value;
-  std::snprintf(text, sizeof text, size >= 1e5 || (size < 1e-3 && size > 0) ? "%.3g" : size >= 100 ? "%.0f" : "%.3g",
-                value);
-  return text;
+  if (size < 1000 || size >= 1e9) {
+    std::snprintf(text, sizeof text, size >= 100 && size < 1000 ? "%.0f" : "%.3g", value);
+    return text;
+  }
+  std::string digits = std::to_string(std::llround(value));
+  for (auto at = std::ssize(digits) - 3; at > (value < 0 ? 1 : 0); at -= 3) {
+    digits.insert(static_cast<std::size_t>(at), ",");
+  }
+  return digits;
 }
 
 std::string place_text(int axis, double position) {

@@ -71,7 +71,7 @@ class WayStates {
   std::vector<int> way_;
 };
 
-/// "1.25", as few digits as tell costs and places apart for a person.
+/// "1.25", "9,880": as few digits as tell costs apart for a person.
 std::string cost_text(double value);
 /// "x = 1.25".
 std::string place_text(int axis, double position);
