@@ -140,7 +140,8 @@ class DrawnCosts : public vtkContextItem {
     if (!has_marks && points.size() > 2) return;
     brush(color);
     pen(color, 1);
-    for (std::size_t i = 0; i + 1 < points.size(); i += 2) painter_->DrawEllipse(points[i], points[i + 1], px(3.2), px(3.2));
+    for (std::size_t i = 0; i + 1 < points.size(); i += 2)
+      painter_->DrawEllipse(points[i], points[i + 1], px(3.2), px(3.2));
   }
 
   /// One stretch of a dashed curve that is `along` long so far; returns its length after it.
@@ -154,7 +155,8 @@ class DrawnCosts : public vtkContextItem {
       const float phase = std::fmod(along + at, 2 * dash);
       const float end = std::min(length, at + std::max(0.01f * dash, (phase < dash ? dash : 2 * dash) - phase));
       if (phase < dash) {
-        painter_->DrawLine(x0 + dx * at / length, y0 + dy * at / length, x0 + dx * end / length, y0 + dy * end / length);
+        painter_->DrawLine(x0 + dx * at / length, y0 + dy * at / length, x0 + dx * end / length,
+                           y0 + dy * end / length);
       }
       at = end;
     }
@@ -174,8 +176,9 @@ class DrawnCosts : public vtkContextItem {
     for (std::size_t rank = 0; rank < std::min(order.size(), most_bars); ++rank) {
       const BuildCandidate& candidate = decision->candidates[order[rank]];
       const bool is_chosen = decision->chosen == order[rank];
-      const Rgb color = is_chosen ? ink : candidate.axis >= 0 ? axis_colors[static_cast<std::size_t>(candidate.axis)]
-                                                              : Rgb{0.62, 0.64, 0.70};
+      const Rgb color = is_chosen             ? ink
+                        : candidate.axis >= 0 ? axis_colors[static_cast<std::size_t>(candidate.axis)]
+                                              : Rgb{0.62, 0.64, 0.70};
       pen(color, 1);
       brush(color);
       const double cost = std::min(candidate.cost, costs.hi);
@@ -217,7 +220,7 @@ class DrawnCosts : public vtkContextItem {
     painter_->DrawEllipse(x, y, px(8), px(8));
     vtkAxis& axis = *chart->GetAxis(vtkAxis::BOTTOM);
     const bool is_right = chosen.position > 0.5 * (axis.GetMinimum() + axis.GetMaximum());
-    const std::string at = chosen.axis >= 0 ? place_text(chosen.axis, chosen.position) : chosen.label;
+    const std::string at = chosen.axis >= 0 ? place_text(chosen.axis, chosen.position) : cost_text(chosen.position);
     write(x + px(is_right ? -14 : 14), y - px(34), "taken: " + at + ", " + cost_text(chosen.cost), ink, is_right);
   }
 

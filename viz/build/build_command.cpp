@@ -15,7 +15,8 @@
 namespace sightline::viz {
 namespace {
 
-constexpr const char* about = R"(How a structure is built, node by node: what was weighed, what it would have cost, and what was taken.
+constexpr const char* about =
+    R"(How a structure is built, node by node: what was weighed, what it would have cost, and what was taken.
 
 On the left the node with what it holds, the planes that were weighed (colored by cost), the one that was taken, and
 the children that came of it; on the right cost against the plane's position, a curve an axis, beside what a leaf would
@@ -138,11 +139,13 @@ int BuildCommand::run() const {
   std::size_t node = 0;
   if (command_->count("--node")) {
     const auto named = tree.named(node_);
-    if (!named) refuse("--node", std::to_string(node_), "the number of a node; the root's is " +
-                                                            std::to_string(tree[0].cell.node));
+    if (!named)
+      refuse("--node", std::to_string(node_),
+             "the number of a node; the root's is " + std::to_string(tree[0].cell.node));
     node = *named;
   } else if (step_ > 0 && step_ >= tree.steps().size()) {
-    refuse("--step", std::to_string(step_), "0 to " + std::to_string(tree.steps().size() - 1) + ", as many as there are");
+    refuse("--step", std::to_string(step_),
+           "0 to " + std::to_string(tree.steps().size() - 1) + ", as many as there are");
   } else if (!tree.steps().empty()) {
     node = tree.steps()[step_];
   }

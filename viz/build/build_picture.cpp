@@ -54,12 +54,15 @@ void draw_legend(Canvas& canvas, const BuildStep& step, const SpaceTold& told, d
     entry(above_color, "above", false);
     entry(both_color, "in both", false);
   }
+  const std::size_t parts = step.decision.parts.size();
+  if (parts > 0) entry({0.10, 0.45, 0.70}, "its children" + std::string(parts <= 8 ? ", a color each" : ""), true);
+  if (!step.decision.merged.empty()) entry({0.55, 0.57, 0.62}, "given up", true);
   if (told.planes_drawn == 0) return;
   x = margin_left;
   y += 32;
   const std::string low = cost_text(told.cheapest), high = cost_text(told.dearest);
-  const std::string text = "planes weighed (" + with_commas(told.planes_drawn) + " of " + with_commas(told.planes) +
-                           " drawn), cost " + low;
+  const std::string text =
+      "planes weighed (" + with_commas(told.planes_drawn) + " of " + with_commas(told.planes) + " drawn), cost " + low;
   canvas.text({x, y}, text, style);
   x += canvas.text_width(text, style) + 10;
   for (int i = 0; i < 60; ++i) canvas.rectangle({x + 3.0 * i, y - 9}, 3.5, 18, ramp(i / 59.0));
@@ -84,9 +87,14 @@ std::string command_of(const BuildStep& step, const BuildLook& look) {
   return text;
 }
 
-constexpr const char* keys[] = {"Right, Left   next, previous node", "Up   the node above", "Down   the child below",
-                                "Tab   the other child", "Home   the root", "S   writes the picture",
-                                "H   shows and hides this", "Q   closes"};
+constexpr const char* keys[] = {"Right, Left   next, previous node",
+                                "Up   the node above",
+                                "Down   the child below",
+                                "Tab   the other child",
+                                "Home   the root",
+                                "S   writes the picture",
+                                "H   shows and hides this",
+                                "Q   closes"};
 
 void draw_help(Canvas& canvas) {
   canvas.rectangle({margin_left, head + 10}, 380, 30 * std::size(keys) + 24, {1, 1, 1}, 0.92);
@@ -129,8 +137,8 @@ void BuildPicture::show_in(vtkRenderWindow& window, double scale) const {
     }
     y += 9;
   }
-  canvas.text({margin_left, height - 24}, canvas.shortened(command_of(step, look), {18, soft_ink}, reference_width - 180),
-              {18, soft_ink});
+  canvas.text({margin_left, height - 24},
+              canvas.shortened(command_of(step, look), {18, soft_ink}, reference_width - 180), {18, soft_ink});
   canvas.text({reference_width - margin_left, height - 24}, "H: keys", {18, soft_ink, Canvas::Align::right});
   if (look.has_help) {
     auto help = New<vtkRenderer>::New();

@@ -143,24 +143,38 @@ std::vector<std::size_t> telling(const Decision& decision) {
   return drawn;
 }
 
+constexpr std::size_t most_colors = 64;  // so many children have a color each
+
+/// The color of child i of more than two.
+Rgb child_color(std::size_t i, std::size_t count) { return ramp(double(i) / double(count - 1), 0.4, 0.82); }
+
+void add_group(vtkRenderer& space, const TriangleMesh& mesh, const std::vector<std::uint32_t>& ids, const Rgb& color,
+               double opacity = 1) {
+  if (ids.empty()) return;
+  vtkActor& actor = add_actor(space, triangles_of(mesh, ids), color, opacity);
+  actor.GetProperty()->SetAmbient(0.35);
+  actor.GetProperty()->SetDiffuse(0.7);
+  actor.GetProperty()->SetInterpolationToFlat();
+}
+
 void add_triangles(vtkRenderer& space, const BuildStory& story, const Decision& decision) {
   const TriangleMesh& mesh = story.mesh();
+  enum : std::uint8_t { in_below = 1, in_above = 2, in_node = 4 };
   std::vector<std::uint8_t> sides(mesh.size());
-  for (const std::uint32_t id : decision.primitives) sides[id] |= decision.is_divided && decision.below.size() + decision.above.size() > 0 ? 0 : 4;
-  for (const std::uint32_t id : decision.below) sides[id] |= 1;
-  for (const std::uint32_t id : decision.above) sides[id] |= 2;
-  std::array<std::vector<std::uint32_t>, 5> groups;
-  for (std::uint32_t id = 0; id < mesh.size(); ++id) {
-    groups[sides[id] == 0 ? 0 : sides[id] == 1 ? 1 : sides[id] == 2 ? 2 : sides[id] == 3 ? 3 : 4].push_back(id);
+  for (const std::uint32_t id : decision.primitives) sides[id] = in_node;
+  for (const std::uint32_t id : decision.below) sides[id] |= in_below;
+  for (const std::uint32_t id : decision.above) sides[id] |= in_above;
+  std::array<std::vector<std::uint32_t>, 8> groups;
+  for (std::uint32_t id = 0; id < mesh.size(); ++id) groups[sides[id]].push_back(id);
+  const bool has_colors = decision.parts.size() <= most_colors;
+  for (std::size_t part = 0; has_colors && part < decision.parts.size(); ++part) {
+    add_group(space, mesh, decision.parts[part], child_color(part, decision.parts.size()));
   }
-  const std::array<Rgb, 5> colors{Rgb{0.75, 0.76, 0.78}, below_color, above_color, both_color, Rgb{0.84, 0.83, 0.81}};
-  for (const std::size_t group : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{4}, std::size_t{0}}) {
-    if (groups[group].empty()) continue;
-    vtkActor& actor = add_actor(space, triangles_of(mesh, groups[group]), colors[group], group == 0 ? 0.10 : 1);
-    actor.GetProperty()->SetAmbient(0.35);
-    actor.GetProperty()->SetDiffuse(0.7);
-    actor.GetProperty()->SetInterpolationToFlat();
-  }
+  if (decision.parts.empty() || !has_colors) add_group(space, mesh, groups[in_node], {0.84, 0.83, 0.81});
+  add_group(space, mesh, groups[in_node | in_below], below_color);
+  add_group(space, mesh, groups[in_node | in_above], above_color);
+  add_group(space, mesh, groups[in_node | in_below | in_above], both_color);
+  add_group(space, mesh, groups[0], {0.75, 0.76, 0.78}, 0.10);
 }
 
 }  // namespace
@@ -191,8 +205,17 @@ SpaceTold show_space(vtkRenderer& space, const BuildStory& story, const BuildSte
 
   std::vector<Cell> children;
   for (const std::size_t child : node.children) children.push_back(story.tree()[child].cell);
+  for (const Aabb& box : decision.merged) {
+    const Cell cell{box, 0, false, {}, 0};
+    add_lines(space, cell_outlines(std::span(&cell, 1), axes.z), {0.55, 0.57, 0.62}, 1.4 * scale, 0.9, 2);
+  }
+  const bool is_crowded = children.size() > most_colors;  // of a grid
   for (std::size_t i = 0; i < children.size(); ++i) {
-    const Rgb color = children.size() > 2 ? ramp(double(i) / double(children.size() - 1))
+    if (is_crowded) {
+      add_lines(space, cell_outlines(children, axes.z), {0.10, 0.45, 0.70}, 0.8 * scale, 0.35);
+      break;
+    }
+    const Rgb color = children.size() > 2 ? child_color(i, children.size())
                       : i == 0            ? Rgb{0.10, 0.45, 0.70}
                                           : Rgb{0.75, 0.52, 0.05};
     add_lines(space, cell_outlines(std::span(&children[i], 1), axes.z), color, 3.4 * scale, 1, 3);
@@ -209,6 +232,7 @@ SpaceTold show_space(vtkRenderer& space, const BuildStory& story, const BuildSte
   }
   std::vector<Vec3d> seen = points_of(*outline);
   for (const Cell& child : children) {
+    if (is_crowded) break;
     for (const Vec3d& p : points_of(*cell_outlines(std::span(&child, 1), axes.z))) seen.push_back(p);
   }
   fit_camera(axes, seen, aspect, look.zoom).aim(*space.GetActiveCamera());

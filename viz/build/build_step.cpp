@@ -62,15 +62,16 @@ BuildStep BuildStory::step_at(std::size_t node) const {
   step.step = tree_.step_of(node);
   step.decision = replay_->decide(tree_.way_to(node));
   if (step.decision.is_divided && tree_[node].children.empty() && tracer_->is_lazy()) {
-    step.decision.reason = "is postponed: no ray of a first look has come here; the first one that does " +
-                           step.decision.reason;
+    step.decision.reason =
+        "is postponed: no ray of a first look has come here; the first one that does " + step.decision.reason;
   }
   const Cell& cell = tree_[node].cell;
   step.title = structure_.accelerator + " on " + scene_ + ": " +
                (step.step ? "step " + with_commas(*step.step) + " of " + with_commas(tree_.steps().size()) : "a leaf") +
                ", node " + std::to_string(cell.node) + " at depth " + std::to_string(cell.depth);
   step.command = "sightline-view build --accel " + structure_.label + " --scene " + scene_ +
-                 (step.step ? " --step " + std::to_string(*step.step) : " --node " + std::to_string(cell.node)) + flags_;
+                 (step.step ? " --step " + std::to_string(*step.step) : " --node " + std::to_string(cell.node)) +
+                 flags_;
   return step;
 }
 
@@ -78,8 +79,8 @@ std::vector<std::string> facts_of(const BuildStory& story, const BuildStep& step
   const BuildTree& tree = story.tree();
   const Decision& decision = step.decision;
   std::vector<std::string> lines{"weighed: " + decision.how};
-  std::string found = counted(decision.candidates.size(), "candidate") + " for " +
-                      counted(decision.primitives.size(), "triangle");
+  std::string found =
+      counted(decision.candidates.size(), "candidate") + " for " + counted(decision.primitives.size(), "triangle");
   if (decision.chosen) {
     const BuildCandidate& chosen = decision.candidates[*decision.chosen];
     if (chosen.axis >= 0 || chosen.plane.normal != Vec3d(0)) {
@@ -124,8 +125,8 @@ void write_step_csv(const std::filesystem::path& path, const BuildStep& step) {
     text += axis_name(c) + ',' + (is_general ? "" : exact(c.position)) + ',';
     for (int axis = 0; axis < 3; ++axis) text += (is_general ? exact(c.plane.normal[axis]) : "") + ',';
     text += (is_general ? exact(c.plane.offset) : "") + ',' + exact(c.cost) + ',' + std::to_string(c.below) + ',' +
-            std::to_string(c.above) + ',' + std::to_string(c.straddling) + ',' +
-            (decision.chosen == i ? '1' : '0') + ",\"" + c.label + "\"\n";
+            std::to_string(c.above) + ',' + std::to_string(c.straddling) + ',' + (decision.chosen == i ? '1' : '0') +
+            ",\"" + c.label + "\"\n";
   }
   write_text(path, text);
 }

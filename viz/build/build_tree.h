@@ -15,8 +15,8 @@ struct BuildNode {
   std::vector<LeafRange> ranges;  ///< Of a leaf; several where a kd-tree keeps a full one in pieces.
 };
 
-/// Nodes stand as for_each_cell shows them: parents first. Steps are the nodes that are divided, breadth first: the root,
-/// its children, theirs; within a depth in the order of for_each_cell.
+/// Nodes stand as for_each_cell shows them: parents first. Steps are the nodes that are divided, breadth first: the
+/// root, its children, theirs; within a depth in the order of for_each_cell.
 class BuildTree {
  public:
   explicit BuildTree(const Tracer& tracer);

@@ -35,13 +35,15 @@ struct Decision {
   std::optional<std::size_t> chosen;  ///< Of the candidates; none where a leaf was made, or a rule divided.
   bool is_divided = false;
   double leaf_cost = 0;
-  std::string cost_unit;                   ///< What a cost of 1 is: "triangle tests".
-  std::vector<std::uint32_t> below, above;  ///< Ids of the parts, where the node is divided in two.
-  std::string reason;                      ///< What was decided and why, one sentence.
-  std::string how;                         ///< What was weighed: "perfect splits: every plane at which ..."
+  std::string cost_unit;                          ///< What a cost of 1 is: "triangle tests".
+  std::vector<std::uint32_t> below, above;        ///< Ids of the parts, where the node is divided in two.
+  std::vector<std::vector<std::uint32_t>> parts;  ///< The same for more than two.
+  std::vector<Aabb> merged;  ///< Of nodes that a builder had made, and gave up in favor of their children.
+  std::string reason;        ///< What was decided and why, one sentence.
+  std::string how;           ///< What was weighed: "perfect splits: every plane at which ..."
   DecisionChart chart = DecisionChart::by_position;
-  std::string position_title;              ///< Of the first axis, where that is no position in the scene.
-  std::string leaf_title = "a leaf";       ///< Of leaf_cost.
+  std::string position_title;                ///< Of the first axis, where that is no position in the scene.
+  std::string leaf_title = "a leaf";         ///< Of leaf_cost.
   std::string other_title = "other planes";  ///< Candidates whose axis is -1.
 };
 

@@ -39,7 +39,8 @@ class KdReplay final : public BuildReplay {
 
   Decision decide(std::span<const int> way) override {
     const KdState& state = states_.at(
-        way, [&] { return root(); }, [&](const KdState& from, int turn, int depth) { return child(from, turn, depth); });
+        way, [&] { return root(); },
+        [&](const KdState& from, int turn, int depth) { return child(from, turn, depth); });
     const Outcome outcome = outcome_of(state, static_cast<int>(way.size()));
     Decision decision;
     decision.cost_unit = "triangle tests";
@@ -88,8 +89,8 @@ class KdReplay final : public BuildReplay {
   KdState root() {
     KdState root;
     root.count = primitives_.size();
-    root.budget = std::min<std::uint64_t>(std::uint64_t(reference_limit_) * root.count,
-                                          detail::KdChild::position_limit);
+    root.budget =
+        std::min<std::uint64_t>(std::uint64_t(reference_limit_) * root.count, detail::KdChild::position_limit);
     std::vector<Aabb> boxes;
     for (std::uint32_t id = 0; id < root.count; ++id) {
       boxes.push_back(primitives_.bounds(id));
@@ -138,8 +139,9 @@ class KdReplay final : public BuildReplay {
     }
     const bool is_empty = split.count_below == 0 || split.count_above == 0;
     return {split, false,
-            "splits at " + place + " for " + cost_text(split.cost / costs_.intersection) + " triangle tests, a leaf would cost " +
-                cost_text(state.count) + (is_empty ? "; one side is empty, which is rewarded" : "")};
+            "splits at " + place + " for " + cost_text(split.cost / costs_.intersection) +
+                " triangle tests, a leaf would cost " + cost_text(state.count) +
+                (is_empty ? "; one side is empty, which is rewarded" : "")};
   }
 
   KdState child(const KdState& state, int turn, int depth) {
@@ -155,8 +157,7 @@ class KdReplay final : public BuildReplay {
       return child;
     }
     std::vector<std::uint32_t> straddlers;
-    const std::uint32_t only_high =
-        take_sides(state.events[split.axis], split, state.count, sides_.data(), straddlers);
+    const std::uint32_t only_high = take_sides(state.events[split.axis], split, state.count, sides_.data(), straddlers);
     const std::uint32_t high = only_high + static_cast<std::uint32_t>(straddlers.size()), low = state.count - only_high;
     child.count = turn == 0 ? low : high;
     const std::uint64_t low_budget = state.budget * low / (std::uint64_t(low) + high);

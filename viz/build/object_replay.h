@@ -59,8 +59,8 @@ class ObjectReplay {
   /// \throws ReplayError where the cheapest candidate is not what the library took.
   ObjectOutcome divide(const ObjectState& state, int depth) const {
     if (state.items.empty()) return {};
-    ObjectOutcome outcome = !state.is_swept && costs_.quality != Quality::best ? by_bins(state, depth)
-                                                                               : by_row(state, depth);
+    ObjectOutcome outcome =
+        !state.is_swept && costs_.quality != Quality::best ? by_bins(state, depth) : by_row(state, depth);
     if (outcome.is_divided) {
       outcome.below = settled(std::move(outcome.below));
       outcome.above = settled(std::move(outcome.above));

@@ -14,9 +14,14 @@ struct Entry {
 };
 
 constexpr std::array entries{
-    Entry{"kd-tree", make_kd_replay},         Entry{"box-tree", make_box_replay},
-    Entry{"sphere-tree", make_sphere_replay}, Entry{"cylinder-tree", make_cylinder_replay},
+    Entry{"kd-tree", make_kd_replay},
+    Entry{"box-tree", make_box_replay},
+    Entry{"sphere-tree", make_sphere_replay},
+    Entry{"cylinder-tree", make_cylinder_replay},
     Entry{"bih", make_bih_replay},
+    Entry{"bsp-tree", make_bsp_replay},
+    Entry{"wide-tree", make_wide_replay},
+    Entry{"grid", make_grid_replay},
 };
 
 constexpr auto names = [] {

@@ -14,8 +14,7 @@ class VolumeReplay final : public BuildReplay {
   VolumeReplay(const Primitives& primitives, const Options& options)
       : primitives_(primitives),
         options_(options),
-        costs_{options.traversal_cost, options.intersection_cost, options.max_leaf_size, options.bins,
-               options.quality},
+        costs_{options.traversal_cost, options.intersection_cost, options.max_leaf_size, options.bins, options.quality},
         objects_(costs_) {}
 
   Decision decide(std::span<const int> way) override {
