@@ -88,7 +88,7 @@ class DrawnCosts : public vtkContextItem {
     painter_->GetPen()->SetWidth(px(width));
     painter_->GetPen()->SetLineType(style);
   }
-  void brush(const Rgb& color) { painter_->GetBrush()->SetColorF(color[0], color[1], color[2]); }
+  void brush(const Rgb& color) { painter_->GetBrush()->SetColorF(color[0], color[1], color[2], 1); }
   void write(float x, float y, const std::string& text, const Rgb& color, bool to_left = false) {
     painter_->GetTextProp()->SetColor(color[0], color[1], color[2]);
     to_left ? painter_->GetTextProp()->SetJustificationToRight() : painter_->GetTextProp()->SetJustificationToLeft();
@@ -221,7 +221,9 @@ class DrawnCosts : public vtkContextItem {
     vtkAxis& axis = *chart->GetAxis(vtkAxis::BOTTOM);
     const bool is_right = chosen.position > 0.5 * (axis.GetMinimum() + axis.GetMaximum());
     const std::string at = chosen.axis >= 0 ? place_text(chosen.axis, chosen.position) : cost_text(chosen.position);
-    write(x + px(is_right ? -14 : 14), y - px(34), "taken: " + at + ", " + cost_text(chosen.cost), ink, is_right);
+    const bool has_room = y - px(38) > y_of(costs.lo);
+    write(x + px(is_right ? -14 : 14), y + px(has_room ? -34 : 12), "taken: " + at + ", " + cost_text(chosen.cost), ink,
+          is_right);
   }
 
   vtkContext2D* painter_ = nullptr;

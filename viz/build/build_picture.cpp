@@ -48,7 +48,7 @@ void draw_legend(Canvas& canvas, const BuildStep& step, const SpaceTold& told, d
     canvas.text({x + (is_line ? 34 : 26), y}, text, style);
     x += (is_line ? 34 : 26) + canvas.text_width(text, style) + 26;
   };
-  entry(ink, step.decision.chosen ? "the node, and the plane taken" : "the node", true);
+  entry(ink, step.decision.chosen && told.planes > 0 ? "the node, and the plane taken" : "the node", true);
   if (!step.decision.below.empty() || !step.decision.above.empty()) {
     entry(below_color, "below", false);
     entry(above_color, "above", false);

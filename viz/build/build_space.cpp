@@ -235,7 +235,14 @@ SpaceTold show_space(vtkRenderer& space, const BuildStory& story, const BuildSte
     if (is_crowded) break;
     for (const Vec3d& p : points_of(*cell_outlines(std::span(&child, 1), axes.z))) seen.push_back(p);
   }
-  fit_camera(axes, seen, aspect, look.zoom).aim(*space.GetActiveCamera());
+  Vec3d lo = seen.front(), hi = lo;
+  for (const Vec3d& p : seen) lo = glm::min(lo, p), hi = glm::max(hi, p);
+  const Vec3d middle = 0.5 * lo + 0.5 * hi;
+  for (Vec3d& p : seen) p -= middle;  // fit_camera leaves room in proportion to the distance from the origin
+  SpaceCamera camera = fit_camera(axes, seen, aspect, look.zoom);
+  camera.eye += middle;
+  camera.focus += middle;
+  camera.aim(*space.GetActiveCamera());
   space.ResetCameraClippingRange();
   return told;
 }

@@ -24,6 +24,26 @@ std::string axis_name(const BuildCandidate& candidate) {
   return candidate.axis < 0 ? "" : std::string(1, "xyz"[candidate.axis]);
 }
 
+nlohmann::ordered_json json_of(const Vec3d& p) { return {p.x, p.y, p.z}; }
+
+nlohmann::ordered_json json_of(const Cell& cell) {
+  nlohmann::ordered_json json;
+  if (const auto* box = std::get_if<Aabb>(&cell.region)) {
+    json["box"] = {{"lo", json_of(Vec3d(box->lo))}, {"hi", json_of(Vec3d(box->hi))}};
+  } else if (const auto* sphere = std::get_if<Sphere>(&cell.region)) {
+    json["sphere"] = {{"center", json_of(Vec3d(sphere->center))}, {"radius", sphere->radius}};
+  } else if (const auto* cylinder = std::get_if<Cylinder>(&cell.region)) {
+    json["cylinder"] = {{"center", json_of(Vec3d(cylinder->center))},
+                        {"axis", json_of(Vec3d(cylinder->axis))},
+                        {"radius", cylinder->radius},
+                        {"half_length", cylinder->half_length}};
+  } else {
+    json["vertices"] = nlohmann::ordered_json::array();
+    for (const Vec3d& p : std::get<Polyhedron>(cell.region).vertices) json["vertices"].push_back(json_of(p));
+  }
+  return json;
+}
+
 nlohmann::ordered_json json_of(const BuildCandidate& candidate) {
   nlohmann::ordered_json json;
   if (candidate.axis >= 0) {
@@ -104,6 +124,11 @@ void write_step_json(const std::filesystem::path& path, const BuildStory& story,
                               {"depth", cell.depth},
                               {"steps", story.tree().steps().size()}};
   if (step.step) json["step"] = *step.step;
+  json["cell"] = json_of(cell);
+  json["children"] = nlohmann::ordered_json::array();
+  for (const std::size_t child : story.tree()[step.node].children) {
+    json["children"].push_back(json_of(story.tree()[child].cell));
+  }
   json["primitives"] = decision.primitives.size();
   json["divided"] = decision.is_divided;
   json["reason"] = decision.reason;

@@ -13,9 +13,9 @@ namespace sightline::viz {
 
 /// One way to divide a node. Costs of a step are all in one unit: see Decision::cost_unit.
 struct BuildCandidate {
-  int axis = -1;        ///< 0 to 2; -1 for a plane of any orientation, and for what is no plane.
-  double position = 0;  ///< Of the plane along the axis, in the scene's units.
-  Plane plane{};        ///< In the scene's coordinates, where axis is -1.
+  int axis = -1;             ///< 0 to 2; -1 for a plane of any orientation, and for what is no plane.
+  double position = 0;       ///< Of the plane along the axis, in the scene's units.
+  Plane plane{Vec3d(0), 0};  ///< In the scene's coordinates, where axis is -1; no normal where it is no plane.
   double cost = 0;
   std::uint32_t below = 0, above = 0;  ///< What the parts would hold; whoever is in both counts twice.
   std::uint32_t straddling = 0;        ///< Of the node's primitives, how many have points on both sides of the plane.

@@ -26,9 +26,7 @@ class GridReplay final : public BuildReplay {
     decision.chart = DecisionChart::by_cells;
     decision.position_title = "cells of the top level, as a power of 2";
     decision.cost_unit = "steps from cell to cell";
-    decision.leaf_title = "one cell for all";
     for (std::uint32_t id = 0; id < primitives_.size(); ++id) decision.primitives.push_back(id);
-    decision.leaf_cost = 1 + leaf_cost(primitives_.size());
     decision.is_divided = true;
 
     const std::array<int, 3> taken = resolution_taken();
@@ -124,7 +122,7 @@ class GridReplay final : public BuildReplay {
     const double bytes = cells_of(taken) * sizeof(GridCell) + 4.0 * chosen.below;
     decision.reason = "is cut into " + count + " cells, " + cost_text(options_.density) +
                       " for each triangle by rule: that costs " + cost_text(chosen.cost) +
-                      " steps where one cell would cost " + cost_text(decision.leaf_cost);
+                      " steps where one cell would cost " + cost_text(1 + leaf_cost(primitives_.size()));
     decision.how = "the top level alone, whose cells are as near to cubes as can be; it holds " +
                    cost_text(chosen.below) + " references, " + cost_text(bytes / 1024) +
                    " KiB. Finer ones look cheaper here, but crowded cells are cut again afterwards" +
