@@ -8,6 +8,7 @@
 #include "sightline/io/output_file.h"
 #include "sightline/io/progress.h"
 #include "sightline/scene/scenes.h"
+#include "viz/build/build_command.h"
 #include "viz/cell_export.h"
 #include "viz/compare/compare_command.h"
 #include "viz/csg_command.h"
@@ -48,6 +49,8 @@ Examples
       a ray's way through a structure, step by step: see walk --help
   sightline-view csg --solid widget --out widget.png
       a ray's interval ladder through a solid: see csg --help
+  sightline-view build --accel kd-tree --scene teapot --step 3 --out step.png
+      what a builder weighed at a node, and what it took: see build --help
   sightline-view graph --scene levels:4 --select left/left --drag=-0.9,0.7,0 --out bubble.png
       a scene's tree, and an event that bubbles up in it: see graph --help
   sightline-view noise --kind perlin --out noise.png
@@ -62,7 +65,7 @@ Examples
 Exit status: 0 done, 1 failure, 2 wrong usage.)";
 
 const std::string subcommand_names =
-    "partitions, walk, compare, csg, graph, noise, wood, normals, page, picture or list";
+    "partitions, walk, compare, build, csg, graph, noise, wood, normals, page, picture or list";
 
 struct Arguments {
   std::string accelerator = "kd-tree", scene = "teapot", out, depth, slice, size = "1200x900",
@@ -171,6 +174,7 @@ int run(int argc, char** argv) {
   CLI::App* command = app.add_subcommand("partitions", "The cells of a structure over the mesh");
   CompareCommand compare(app, arguments.data);
   WalkCommand walk(app, arguments.data);
+  BuildCommand build(app, arguments.data);
   CsgCommand csg(app);
   GraphCommand graph(app, arguments.data);
   NoiseCommand noise(app);
@@ -232,6 +236,7 @@ int run(int argc, char** argv) {
   if (is_list || listing->parsed()) return list();
   if (compare.is_chosen()) return compare.run();
   if (walk.is_chosen()) return walk.run();
+  if (build.is_chosen()) return build.run();
   if (csg.is_chosen()) return csg.run();
   if (graph.is_chosen()) return graph.run();
   if (noise.is_chosen()) return noise.run();

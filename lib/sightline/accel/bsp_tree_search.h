@@ -59,9 +59,16 @@ class SplitSearch {
               const BspEffort& effort)
       : primitives_(primitives), center_(center), thickness_(thickness), costs_(costs), effort_(effort) {}
 
+  /// Of whom nothing is told.
+  struct NoWatcher {
+    void operator()(const SplitPlane&, double, const auto&) const {}
+  };
+
   /// None where no plane makes the cell cheaper than `limit`. The fragments stand for `weight` times as many.
+  /// watch(split, cost, counts) is told of each candidate that has its cost computed, with `below`, `above` and `on`.
+  template <class Watch = NoWatcher>
   std::optional<Choice> best(const ConvexCell& cell, const Fragments& fragments, double limit, bool allow_general,
-                             double weight = 1) {
+                             double weight = 1, Watch&& watch = {}) {
     limit_ = limit;
     threshold_ = loose * limit;
     weight_ = weight;
@@ -73,7 +80,7 @@ class SplitSearch {
       measure_each(split, fragments, 1);
       is_exhaustive ? sweep(split, cell) : try_bins(split, cell);
     }
-    if (!allow_general) return best_of_candidates(cell);
+    if (!allow_general) return best_of_candidates(cell, watch);
     if (is_exhaustive) pack(fragments);
     const std::uint32_t step = std::max(1u, fragments.size() / sampled_counts);
     const std::uint64_t samples = std::min(effort_.sampled_fragments, fragments.size());
@@ -91,7 +98,7 @@ class SplitSearch {
         try_general(*split, cell);
       }
     }
-    return best_of_candidates(cell);
+    return best_of_candidates(cell, watch);
   }
 
  private:
@@ -134,7 +141,8 @@ class SplitSearch {
   }
 
   /// Areas are what takes time, so that they are computed for the most promising candidates only.
-  std::optional<Choice> best_of_candidates(const ConvexCell& cell) {
+  template <class Watch>
+  std::optional<Choice> best_of_candidates(const ConvexCell& cell, Watch& watch) {
     std::optional<Choice> best;
     double best_cost = limit_;
     keep_promising();
@@ -150,6 +158,7 @@ class SplitSearch {
       const double tests = areas.below * costs_.tests(below + (on_below ? on : 0)) +
                            areas.above * costs_.tests(above + (on_below ? 0 : on));
       const double cost = costs_.plane(split) + tests / cell.area();
+      watch(split, cost, candidate.counts);
       if (cost < best_cost) {
         best_cost = cost;
         best = Choice{split, cost, on_below};
