@@ -1,6 +1,5 @@
 #include "viz/csg_command.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include "sightline/io/output_file.h"
 #include "sightline/scene/solid_file.h"
 #include "sightline/scene/solids.h"
+#include "viz/command_text.h"
 #include "viz/csg_picture.h"
 #include "viz/csg_table.h"
 #include "viz/csg_window.h"
@@ -39,7 +39,8 @@ Examples
       a solid of one's own: {"op":"diff","args":[{"prim":"box","lo":[-1,-1,-1],"hi":[1,1,1],"material":"oak"},
                                                  {"prim":"sphere","c":[0,0,1],"r":0.5}]})";
 
-Ray<double> parse_ray(const std::string& text) {
+/// Of solids rays have doubles.
+Ray<double> parse_solid_ray(const std::string& text) {
   const auto v = finite_numbers(text, 6, ',');
   if (!v) refuse("--ray", text, "OX,OY,OZ,DX,DY,DZ, six finite numbers: an origin and a direction");
   const Ray<double> ray{{(*v)[0], (*v)[1], (*v)[2]}, {(*v)[3], (*v)[4], (*v)[5]}};
@@ -48,15 +49,8 @@ Ray<double> parse_ray(const std::string& text) {
 }
 
 Ray<double> parse_pick(const std::string& text, const LadderSolid& solid, const PictureSize& size) {
-  const auto pixel = finite_numbers(text, 2, ',');
   std::optional<Ray<double>> ray;
-  if (pixel) {
-    const auto [x, y] = std::pair((*pixel)[0], (*pixel)[1]);
-    const bool is_within = x >= 0 && x < size.width && y >= 0 && y < size.height;
-    if (is_within && x == std::floor(x) && y == std::floor(y)) {
-      ray = ray_through_pixel(solid, size.width, size.height, static_cast<int>(x), static_cast<int>(y));
-    }
-  }
+  if (const auto at = pixel_in(text)) ray = ray_through_pixel(solid, size.width, size.height, at->x, at->y);
   if (!ray) {
     const SolidPanel panel = CsgLayout(size.width, size.height).panel();
     refuse("--pick", text,
@@ -111,9 +105,7 @@ int list() {
 enum class Form { png, json };
 
 Form form_of(const std::string& out) {
-  std::string extension = std::filesystem::path(out).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = extension_of(out);
   if (extension == ".png") return Form::png;
   if (extension == ".json") return Form::json;
   refuse("--out", out, "a name that ends in .png (picture) or .json (data)");
@@ -144,12 +136,12 @@ CsgCommand::CsgCommand(CLI::App& program) : command_(program.add_subcommand("csg
   command_->add_flag("--list", is_list_, "The solids that have names");
 }
 
-int CsgCommand::run() const {
+int CsgCommand::run(WindowFrame* frame) const {
   if (is_list_) return list();
   const PictureSize size = parse_size_of<CsgLayout>(size_);
   const Level level = parse_level(precision_);
   std::optional<Ray<double>> ray;
-  if (command_->count("--ray")) ray = parse_ray(ray_);
+  if (command_->count("--ray")) ray = parse_solid_ray(ray_);
   bool has_picture = false;
   for (const std::string& out : outs_) {
     has_picture |= form_of(out) == Form::png;
@@ -159,7 +151,8 @@ int CsgCommand::run() const {
   if (accelerator.label != accelerator.accelerator) {
     refuse("--accel", accelerator_, "a name alone; structures of operands have no options");
   }
-  const LadderSolid solid = solid_of(solid_, accelerator.accelerator);
+  const auto held = std::make_shared<const LadderSolid>(solid_of(solid_, accelerator.accelerator));
+  const LadderSolid& solid = *held;
   std::string description = std::to_string(solid.plain().primitives().size()) + " primitives";
   if (!is_file(solid_)) {
     const SolidInfo& info = solid_info(solid_);
@@ -187,7 +180,10 @@ int CsgCommand::run() const {
   }
   if (!outs_.empty()) return 0;
   if (has_display()) {
-    CsgWindow(picture, std::cout).run();
+    std::string command = "sightline-view csg" + option_text("--solid", solid_);
+    if (command_->count("--precision")) command += option_text("--precision", precision_);
+    if (command_->count("--accel")) command += option_text("--accel", accelerator_);
+    return open_window<CsgWindow>(frame, held, picture, command, std::cout);
   } else {
     std::cerr << "sightline-view: no display to open a window on; --out FILE.png writes the picture\n";
   }

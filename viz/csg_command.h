@@ -1,8 +1,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
 namespace sightline::viz {
+
+class WindowFrame;
 
 /// `sightline-view csg`: its options, and what it does.
 class CsgCommand {
@@ -11,7 +15,7 @@ class CsgCommand {
 
   bool is_chosen() const { return command_->parsed(); }
   /// The exit status. \throws UsageError, std::invalid_argument, FileError, ScreenError
-  int run() const;
+  int run(WindowFrame* frame = nullptr) const;
 
  private:
   CLI::App* command_;

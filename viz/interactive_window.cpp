@@ -1,75 +1,65 @@
 #include "viz/interactive_window.h"
 
-#include <vtkCommand.h>
-#include <vtkInteractorStyleUser.h>
+#include <iostream>
 
 namespace sightline::viz {
 namespace {
 
-template <class T>
-using New = vtkSmartPointer<T>;
+/// "walk-1.png", or the next number that is free.
+std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& name) {
+  int number = 1;
+  std::filesystem::path path;
+  do {
+    path = folder / (name + '-' + std::to_string(number++) + ".png");
+  } while (std::filesystem::exists(path));
+  return path;
+}
 
 }  // namespace
 
-class InteractiveWindow::Events : public vtkCommand {
- public:
-  static Events* New() { return new Events; }
-  void tell(InteractiveWindow& window) { window_ = &window; }
-  void Execute(vtkObject*, unsigned long event, void*) override { window_->answer(event); }
-
- private:
-  InteractiveWindow* window_ = nullptr;
-};
-
-InteractiveWindow::InteractiveWindow(const std::string& title, int width, int height, int samples)
-    : window_(New<vtkRenderWindow>::New()), interactor_(New<vtkRenderWindowInteractor>::New()) {
-  window_->SetWindowName(title.c_str());
-  window_->SetSize(width, height);
-  window_->SetMultiSamples(samples);
-  interactor_->SetRenderWindow(window_);
-  auto style = New<vtkInteractorStyleUser>::New();
-  interactor_->SetInteractorStyle(style);
-  auto events = New<Events>::New();
-  events->tell(*this);
-  for (const auto event :
-       {vtkCommand::LeftButtonPressEvent, vtkCommand::MouseMoveEvent, vtkCommand::LeftButtonReleaseEvent,
-        vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent,
-        vtkCommand::ConfigureEvent, vtkCommand::TimerEvent}) {
-    interactor_->AddObserver(event, events);
-  }
-  style->AddObserver(vtkCommand::CharEvent, events);  // keys have no other meaning than here
+InteractiveWindow::InteractiveWindow(const Place& place, WindowFrame* frame, std::ostream& out)
+    : own_(frame ? nullptr
+                 : std::make_unique<WindowFrame>(place.title, place.width,
+                                                 place.height + (place.tells_command ? 0 : WindowFrame::foot_height),
+                                                 place.samples)),
+      frame_(frame ? *frame : *own_),
+      out_(out),
+      name_(place.name),
+      tells_command_(place.tells_command) {
+  frame_.enter(*this);
+  if (frame) window().SetWindowName(place.title.c_str());
 }
 
-void InteractiveWindow::run() { interactor_->Start(); }
+InteractiveWindow::~InteractiveWindow() { frame_.leave(*this); }
 
-void InteractiveWindow::start_clock(unsigned long milliseconds) {
-  if (!has_clock_) interactor_->CreateRepeatingTimer(milliseconds);
-  has_clock_ = true;
+std::array<int, 2> InteractiveWindow::area() const {
+  const int* size = window().GetSize();
+  return {size[0], size[1] - foot() - (frame_.has_bar() ? WindowBar::height : 0)};
 }
 
-void InteractiveWindow::answer(unsigned long event) {
-  switch (event) {
-    case vtkCommand::LeftButtonPressEvent:
-      return press();
-    case vtkCommand::MouseMoveEvent:
-      return move();
-    case vtkCommand::LeftButtonReleaseEvent:
-      return release();
-    case vtkCommand::MouseWheelForwardEvent:
-      return zoom(1.15);
-    case vtkCommand::MouseWheelBackwardEvent:
-      return zoom(1 / 1.15);
-    case vtkCommand::ConfigureEvent:
-      return fit();
-    case vtkCommand::TimerEvent:
-      return tick();
-    case vtkCommand::KeyPressEvent: {
-      const std::string key = interactor_->GetKeySym() ? interactor_->GetKeySym() : "";
-      return key == "q" || key == "Q" ? interactor_->ExitCallback() : answer_key(key);
-    }
-    default:
-      return;
+std::array<int, 2> InteractiveWindow::hand() const {
+  const int* at = interactor().GetEventPosition();
+  return {at[0], at[1] - foot()};
+}
+
+void InteractiveWindow::answer_common_key(const std::string& key) {
+  if (key == "h" || key == "H") {
+    has_help_ = !has_help_;
+    show();
+  } else if (key == "s" || key == "S") {
+    save();
+  } else {
+    answer_key(key);
   }
+}
+
+/// Goes on where the picture cannot be written.
+void InteractiveWindow::save() try {
+  const std::filesystem::path path = free_name(folder_, name_);
+  write_png(path);
+  out_ << command() << " --out " << path.string() << std::endl;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
 }
 
 }  // namespace sightline::viz

@@ -43,15 +43,6 @@ bool is_round(const Cell& cell) {
   return std::holds_alternative<Sphere>(cell.region) || std::holds_alternative<Cylinder>(cell.region);
 }
 
-Axes axes_of(const View& view, const std::optional<Slice>& slice) {
-  double azimuth = 24, elevation = 20;
-  if (slice) {
-    azimuth = slice->axis == 0 ? 90 : 0;
-    elevation = slice->axis == 1 ? 90 : 0;
-  }
-  return axes_toward(view.azimuth.value_or(azimuth), view.elevation.value_or(elevation));
-}
-
 /// The mesh in soft gray; with a slice, only what lies beyond the plane, and the plane's cut through it in black.
 void add_mesh(vtkRenderer& renderer, const TriangleMesh& mesh, vtkPlane* plane, double scale) {
   auto normals = New<vtkPolyDataNormals>::New();
@@ -102,6 +93,12 @@ void tint(vtkActor& actor, const Rgb& color, double opacity) {
 
 }  // namespace
 
+Angles angles_of(const View& view, const std::optional<Slice>& slice) {
+  Angles angles{24, 20};
+  if (slice) angles = {slice->axis == 0 ? 90.0 : 0.0, slice->axis == 1 ? 90.0 : 0.0};
+  return {view.azimuth.value_or(angles.azimuth), view.elevation.value_or(angles.elevation)};
+}
+
 void PartitionPicture::show_in(vtkRenderWindow& window, double scale) const {
   window.GetRenderers()->RemoveAllItems();
   const Coloring coloring(partition);
@@ -130,7 +127,8 @@ void PartitionPicture::show_in(vtkRenderWindow& window, double scale) const {
   const double right = 1 - double(Overlay::legend) / view.width, top = 1 - double(Overlay::top) / view.height;
   space->SetViewport(0, 0.01, right, top);
   light_space(*space);
-  const Axes axes = axes_of(view, slice);
+  const Angles angles = angles_of(view, slice);
+  const Axes axes = axes_toward(angles.azimuth, angles.elevation);
 
   New<vtkPlane> plane;
   const double position = slice ? slice->position(mesh.bounds()) : 0;

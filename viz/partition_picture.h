@@ -20,6 +20,12 @@ struct View {
   int height = 900;
 };
 
+/// Those that a view has where it does not say.
+struct Angles {
+  double azimuth, elevation;
+};
+Angles angles_of(const View& view, const std::optional<Slice>& slice);
+
 struct Caption {
   std::string title;     ///< "kd-tree on dragon:3"
   std::string subtitle;  ///< What the structure is.

@@ -86,15 +86,28 @@ PictureSize parse_size(const std::string& text) {
   return {*width, *height};
 }
 
-OutputKind output_kind(const std::string& path) {
-  if (path.empty()) return OutputKind::window;
+Ray<float> parse_ray(const std::string& option, const std::string& text) {
+  const auto v = finite_numbers(text, 6, ',');
+  if (!v) refuse(option, text, "OX,OY,OZ,DX,DY,DZ, six finite numbers: an origin and a direction");
+  const Ray<double> wide{{(*v)[0], (*v)[1], (*v)[2]}, {(*v)[3], (*v)[4], (*v)[5]}};
+  const Ray<float> ray{Vec3f(wide.origin), Vec3f(wide.direction)};
+  if (!is_valid(ray)) refuse(option, text, "numbers that are finite as floats, and a direction that is not zero");
+  return ray;
+}
+
+std::optional<Pixel> pixel_in(const std::string& text) {
+  const std::size_t comma = std::min(text.find(','), text.size());
+  constexpr int farthest = 1'000'000;
+  const auto x = number(std::string_view(text).substr(0, comma), -farthest, farthest);
+  const auto y = number(std::string_view(text).substr(std::min(comma + 1, text.size())), -farthest, farthest);
+  return x && y ? std::optional(Pixel{*x, *y}) : std::nullopt;
+}
+
+std::string extension_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension == ".png") return OutputKind::png;
-  if (extension == ".vtp") return OutputKind::vtp;
-  if (extension == ".gltf") return OutputKind::gltf;
-  refuse("--out", path, "a name that ends in .png (picture), .vtp or .gltf (data)");
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
 }
 
 PictureSize parse_size(const std::string& text, const PictureSize& least) {

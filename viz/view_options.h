@@ -47,9 +47,16 @@ PictureSize parse_size_of(const std::string& text) {
   return parse_size(text, {Picture::lowest_width, Picture::lowest_height});
 }
 
-/// What --out asks for, by the extension of its name.
-enum class OutputKind { window, png, vtp, gltf };
-/// \throws UsageError for an extension that is not known.
-OutputKind output_kind(const std::string& path);
+/// "OX,OY,OZ,DX,DY,DZ". \throws UsageError
+Ray<float> parse_ray(const std::string& option, const std::string& text);
+/// From the top left corner of a picture.
+struct Pixel {
+  int x, y;
+};
+/// "X,Y", two whole numbers; nothing where the text is not that.
+std::optional<Pixel> pixel_in(const std::string& text);
+
+/// In lower case, with its dot: ".png".
+std::string extension_of(const std::string& path);
 
 }  // namespace sightline::viz

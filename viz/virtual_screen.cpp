@@ -68,6 +68,7 @@ bool has_display() {
 }
 
 VirtualScreen::VirtualScreen() {
+  if (const char* former = std::getenv("DISPLAY")) former_ = former;
   int ends[2];
   if (pipe(ends) != 0) throw ScreenError("cannot start Xvfb: no pipe");
   fcntl(ends[0], F_SETFD, FD_CLOEXEC);
@@ -89,7 +90,7 @@ VirtualScreen::VirtualScreen() {
   }
   const bool is_missing = WIFEXITED(status) && WEXITSTATUS(status) == exec_failed;
   throw ScreenError(is_missing ? "pictures need a display or Xvfb, and neither is here: install Debian's package xvfb, "
-                                 "or write data with --out FILE.vtp or FILE.gltf"
+                                 "or write data instead, see --help"
                                : "Xvfb did not start; run `Xvfb :99` to see why");
 }
 
@@ -98,7 +99,7 @@ VirtualScreen::~VirtualScreen() {
   int status = 0;
   while (waitpid(server_, &status, 0) < 0 && errno == EINTR) {
   }
-  unsetenv("DISPLAY");
+  former_ ? setenv("DISPLAY", former_->c_str(), 1) : unsetenv("DISPLAY");
 }
 
 PictureScreen::PictureScreen() {

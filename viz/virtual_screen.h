@@ -18,7 +18,8 @@ class ScreenError : public std::runtime_error {
 /// this is asked before any window is made.
 bool has_display();
 
-/// A screen in memory (Xvfb) for pictures without a display. While it lives, DISPLAY names it.
+/// A screen in memory (Xvfb) for pictures without a display. While it lives, DISPLAY names it; then what it named
+/// before.
 ///   S1  Xvfb chooses a free display number itself, so any number of screens live beside each other.
 ///   S2  Xvfb ends with this process however that ends: the kernel signals it when its parent dies.
 class VirtualScreen {
@@ -31,6 +32,7 @@ class VirtualScreen {
 
  private:
   pid_t server_ = -1;
+  std::optional<std::string> former_;
 };
 
 /// Where pictures are drawn off screen: a VirtualScreen, so that they look the same on every machine, or the user's

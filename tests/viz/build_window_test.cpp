@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <sstream>
+
 #include "sightline/scene/scenes.h"
+#include "tests/io/temporary_folder.h"
 #include "viz/build/build_chart.h"
 #include "viz/virtual_screen.h"
 
@@ -23,7 +27,8 @@ TEST(BuildWindow, KeysWalkTheTree) {
   const PictureScreen screen;
   const BuildStory story = story_of("kd-tree");
   const BuildTree& tree = story.tree();
-  BuildWindow window(story, 0, {.width = 1200, .height = 675});
+  std::ostringstream commands;
+  BuildWindow window(story, 0, {.width = 1200, .height = 675}, commands);
   Hand hand(window.interactor());
   hand.press(XK_Right);
   EXPECT_EQ(window.node(), tree.steps()[1]);
@@ -43,9 +48,20 @@ TEST(BuildWindow, KeysWalkTheTree) {
   hand.press(XK_Left);  // nothing is before the root
   hand.press(XK_Up);
   EXPECT_EQ(window.node(), 0u);
-  hand.press(XK_h);  // the keys, shown and hidden
   hand.press(XK_h);
+  EXPECT_TRUE(window.has_help());
+  hand.press(XK_h);
+  EXPECT_FALSE(window.has_help());
   EXPECT_EQ(window.node(), 0u);
+  const TemporaryFolder folder;
+  window.set_picture_folder(folder.path());
+  hand.press(XK_s);
+  hand.press(XK_s);
+  for (const char* name : {"build-1.png", "build-2.png"}) {
+    const std::string path = (folder.path() / name).string();
+    EXPECT_TRUE(std::filesystem::exists(path));
+    EXPECT_NE(commands.str().find(window.command() + " --out " + path + "\n"), std::string::npos);
+  }
 }
 
 TEST(BuildTree, StepsComeBreadthFirst) {

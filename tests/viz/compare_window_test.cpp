@@ -46,7 +46,7 @@ class WindowOfThree {
     return all;
   }
   static CompareSource source() {
-    return {"box-tree,grid,kd-tree", "teapot:3", {"box-tree", "grid", "kd-tree"}, {}, {}};
+    return {"box-tree,grid,kd-tree", "teapot:3", {"box-tree", "grid", "kd-tree"}, {}, {}, "compare"};
   }
   CompareLook look() const {
     CompareLook look;
@@ -110,12 +110,15 @@ TEST(CompareWindow, TheCommandLineShowsTheSameAgain) {
   EXPECT_NE(three.shown().elevation, 20);
   EXPECT_EQ(three.printed(), "");  // turning is no click
   three.hand().click(f.x + f.width / 2, f.y + f.height / 2);
-  for (const KeySym key : {XK_m, XK_c, XK_a, XK_a}) three.hand().press(key);
+  for (const KeySym key : {XK_m, XK_c, XK_d, XK_d}) three.hand().press(key);
   three.printed();
+  const TemporaryFolder folder;
+  three.window().set_picture_folder(folder.path());
   three.hand().press(XK_s);
-  const std::string line = three.printed();
-  EXPECT_EQ(line, three.window().command() + '\n');
-  const auto json = told_by(line.substr(0, line.size() - 1));
+  const std::string path = (folder.path() / "compare-1.png").string();
+  EXPECT_TRUE(std::filesystem::exists(path));
+  EXPECT_EQ(three.printed(), three.window().command() + " --out " + path + '\n');
+  const auto json = told_by(three.window().command());
   const CompareLook& look = three.shown();
   EXPECT_EQ(json["picture"]["azimuth"], look.azimuth);
   EXPECT_EQ(json["picture"]["elevation"], look.elevation);
@@ -164,7 +167,7 @@ TEST(CompareWindow, KeysCycleAndSingleOut) {
   EXPECT_FALSE(three.window().has_help());
   three.hand().press(XK_z);
   EXPECT_EQ(three.shown(), first);
-  three.hand().press(XK_a);
+  three.hand().press(XK_d);
   EXPECT_EQ(three.shown().against, 1u);
   three.hand().press(XK_r);
   EXPECT_EQ(three.shown(), first);

@@ -45,7 +45,10 @@ nlohmann::json told_by_pick(const std::string& solid, int x, int y) {
 class WindowOfSolid {
  public:
   explicit WindowOfSolid(const std::string& name)
-      : name_(name), solid_(load_solid(name), "box-tree"), window_(first(), tables_), hand_(window_.interactor()) {}
+      : name_(name),
+        solid_(load_solid(name), "box-tree"),
+        window_(first(), "sightline-view csg --solid " + name, tables_),
+        hand_(window_.interactor()) {}
 
   CsgWindow& window() { return window_; }
   Hand& hand() { return hand_; }
@@ -135,7 +138,7 @@ TEST(CsgWindow, QClosesIt) {
 TEST(CsgWindow, ThePictureFitsTheWindow) {
   const VirtualScreen screen;
   WindowOfSolid solid("widget");
-  solid.hand().resize(1000, 700);
+  solid.hand().resize(1000, 700 + WindowFrame::foot_height);
   EXPECT_EQ(solid.window().picture().width, 1000);
   EXPECT_EQ(solid.window().picture().height, 700);
   const SolidPanel panel = CsgLayout(1000, 700).panel();

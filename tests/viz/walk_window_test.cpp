@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "sightline/scene/scenes.h"
+#include "tests/io/temporary_folder.h"
 #include "viz/virtual_screen.h"
 
 // X defines words that others use; so last.
@@ -24,7 +25,9 @@ class WindowOfWalk {
         tracer_(make_tracer(accelerator, mesh_, settings)),
         first_(model_of(*tracer_, usual_ray(mesh_->bounds()))),
         window_(first_, 0, look(), commands_),
-        hand_(window_.interactor()) {}
+        hand_(window_.interactor()) {
+    window_.set_picture_folder(folder_.path());
+  }
 
   const WalkModel& first() const { return first_; }
   WalkWindow& window() { return window_; }
@@ -48,6 +51,7 @@ class WindowOfWalk {
   std::shared_ptr<const TriangleMesh> mesh_;
   std::unique_ptr<Tracer> tracer_;
   WalkModel first_;
+  TemporaryFolder folder_;
   std::ostringstream commands_;
   WalkWindow window_;
   Hand hand_;

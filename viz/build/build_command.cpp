@@ -9,7 +9,7 @@
 #include "sightline/scene/scenes.h"
 #include "viz/build/build_chart.h"
 #include "viz/build/build_window.h"
-#include "viz/view_options.h"
+#include "viz/command_text.h"
 #include "viz/virtual_screen.h"
 
 namespace sightline::viz {
@@ -39,9 +39,7 @@ enum class Kind { window, png, svg, json, csv };
 
 Kind kind_of(const std::string& path) {
   if (path.empty()) return Kind::window;
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = extension_of(path);
   if (extension == ".png") return Kind::png;
   if (extension == ".svg") return Kind::svg;
   if (extension == ".json") return Kind::json;
@@ -67,19 +65,11 @@ void write_frames(const BuildStory& story, const BuildLook& look, const std::str
 }  // namespace
 
 BuildCommand::BuildCommand(CLI::App& program, const std::string& data_folder)
-    : command_(program.add_subcommand("build", about)), data_(data_folder) {
+    : command_(program.add_subcommand("build", about)),
+      data_(data_folder),
+      structure_(*command_),
+      camera_(*command_, 20, "all of the node") {
   command_->fallthrough();
-  command_->add_option("--accel", accelerator_, "The structure; default kd-tree")
-      ->option_text("NAME[:OPTION=VALUE,...]");
-  command_->add_option("--scene", scene_, "A scene of list, with or without :SIZE, or a mesh file; default teapot")
-      ->option_text("SCENE");
-  command_->add_option("--set", settings_, "An option of the structure; may be repeated")
-      ->option_text("ACCEL.OPTION=VALUE")
-      ->expected(1)
-      ->take_all();
-  command_->add_option("--threads", threads_, "Threads to build with, to 1024; default 0: all")
-      ->check(CLI::Range(0, 1024))
-      ->option_text("N");
   auto* step = command_->add_option("--step", step_, "The node that is divided as the K-th, breadth first; default 0")
                    ->option_text("K");
   command_->add_option("--node", node_, "The node of this number, a leaf perhaps")->option_text("N")->excludes(step);
@@ -90,33 +80,21 @@ BuildCommand::BuildCommand(CLI::App& program, const std::string& data_folder)
       ->option_text("N");
   command_->add_option("--size", size_, "Of the picture or window in pixels; default 1920x1080")
       ->option_text("WIDTHxHEIGHT");
-  command_->add_option("--azimuth", azimuth_, "Camera: degrees to the right of the front; default 24")
-      ->check(CLI::Range(-360.0, 360.0))
-      ->option_text("DEGREES");
-  command_->add_option("--elevation", elevation_, "Camera: degrees above the horizon; default 20")
-      ->check(CLI::Range(-90.0, 90.0))
-      ->option_text("DEGREES");
-  command_->add_option("--zoom", zoom_, "Camera: 1 shows all of the node, 2 comes twice as close")
-      ->check(CLI::Range(0.1, 100.0))
-      ->option_text("FACTOR");
   command_->add_option("--out", out_, "A .png, .svg, .json or .csv file instead of a window")->option_text("FILE");
 }
 
-int BuildCommand::run() const {
+int BuildCommand::run(WindowFrame* frame) const {
   const Kind kind = kind_of(out_);
-  AcceleratorSpec structure = parse_structure(accelerator_, settings_);
-  structure.settings.threads = threads_;
+  const AcceleratorSpec structure = structure_.structure();
   const auto known = replayed_structures();
   if (std::find(known.begin(), known.end(), structure.accelerator) == known.end()) {
     std::string names;
     for (const std::string_view name : known) names += (names.empty() ? "" : ", ") + std::string(name);
     refuse("--accel", structure.accelerator, "one of " + names);
   }
-  require_number("--azimuth", azimuth_);
-  require_number("--elevation", elevation_);
-  require_number("--zoom", zoom_);
+  camera_.check();
   const PictureSize size = parse_size_of<BuildPicture>(size_);
-  const BuildLook look{azimuth_, elevation_, zoom_, size.width, size.height};
+  const BuildLook look{camera_.azimuth(), camera_.elevation(), camera_.zoom(), size.width, size.height};
   const bool has_frames = command_->count("--frames") > 0;
   if (has_frames && (!out_.empty() || command_->count("--node"))) {
     refuse("--frames", frames_, "neither --out nor --node beside it");
@@ -129,12 +107,13 @@ int BuildCommand::run() const {
   if (kind == Kind::png || kind == Kind::svg || has_frames) screen.emplace();
 
   Progress progress;
-  progress.say("reading " + scene_);
-  const auto mesh = load_scene(scene_, data_);
+  progress.say("reading " + structure_.scene());
+  const auto mesh = load_scene(structure_.scene(), data_);
   progress.say("building " + structure.label);
   std::string flags;
-  for (const std::string& setting : settings_) flags += " --set " + setting;
-  const BuildStory story(mesh, structure, scene_, flags);
+  for (const std::string& setting : structure_.settings()) flags += option_text("--set", setting);
+  const auto held = std::make_shared<const BuildStory>(mesh, structure, structure_.scene(), flags);
+  const BuildStory& story = *held;
   const BuildTree& tree = story.tree();
   std::size_t node = 0;
   if (command_->count("--node")) {
@@ -158,8 +137,7 @@ int BuildCommand::run() const {
   switch (kind) {
     case Kind::window:
       progress.clear();
-      BuildWindow(story, node, look).run();
-      return 0;
+      return open_window<BuildWindow>(frame, held, story, node, look, std::cout);
     case Kind::png:
       BuildPicture{story, step, look}.write_png(out_);
       break;

@@ -3,11 +3,11 @@
 #include <vtkRendererCollection.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "viz/build/build_chart.h"
 #include "viz/build/build_space.h"
 #include "viz/canvas.h"
+#include "viz/command_text.h"
 #include "viz/paper.h"
 #include "viz/partition_picture.h"
 #include "viz/window_image.h"
@@ -69,43 +69,14 @@ void draw_legend(Canvas& canvas, const BuildStep& step, const SpaceTold& told, d
   canvas.text({x + 190, y}, high, style);
 }
 
-/// What brings this picture back.
+}  // namespace
+
 std::string command_of(const BuildStep& step, const BuildLook& look) {
   const BuildLook usual;
-  std::string text = step.command;
-  const auto add = [&](const std::string& flag, double value, double given) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%.4g", value);
-    if (value != given) text += ' ' + flag + ' ' + number;
-  };
-  add("--azimuth", look.azimuth, usual.azimuth);
-  add("--elevation", look.elevation, usual.elevation);
-  add("--zoom", look.zoom, usual.zoom);
-  if (look.width != usual.width || look.height != usual.height) {
-    text += " --size " + std::to_string(look.width) + 'x' + std::to_string(look.height);
-  }
+  std::string text = step.command + camera_text(look.azimuth, look.elevation, look.zoom);
+  if (look.width != usual.width || look.height != usual.height) text += size_text(look.width, look.height);
   return text;
 }
-
-constexpr const char* keys[] = {"Right, Left   next, previous node",
-                                "Up   the node above",
-                                "Down   the child below",
-                                "Tab   the other child",
-                                "Home   the root",
-                                "S   writes the picture",
-                                "H   shows and hides this",
-                                "Q   closes"};
-
-void draw_help(Canvas& canvas) {
-  canvas.rectangle({margin_left, head + 10}, 380, 30 * std::size(keys) + 24, {1, 1, 1}, 0.92);
-  double y = head + 36;
-  for (const char* line : keys) {
-    canvas.text({margin_left + 16, y}, line, {19});
-    y += 30;
-  }
-}
-
-}  // namespace
 
 void BuildPicture::show_in(vtkRenderWindow& window, double scale) const {
   const double unit = look.width / reference_width * scale, height = look.height * scale / unit;
@@ -140,16 +111,6 @@ void BuildPicture::show_in(vtkRenderWindow& window, double scale) const {
   canvas.text({margin_left, height - 24},
               canvas.shortened(command_of(step, look), {18, soft_ink}, reference_width - 180), {18, soft_ink});
   canvas.text({reference_width - margin_left, height - 24}, "H: keys", {18, soft_ink, Canvas::Align::right});
-  if (look.has_help) {
-    auto help = New<vtkRenderer>::New();
-    help->SetLayer(1);
-    help->InteractiveOff();
-    Canvas over(height, unit);
-    draw_help(over);
-    over.add_to(*help);
-    window.SetNumberOfLayers(2);
-    window.AddRenderer(help);
-  }
   canvas.add_to(*paper);
   window.AddRenderer(paper);
   window.AddRenderer(space);

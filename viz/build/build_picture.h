@@ -15,8 +15,10 @@ namespace sightline::viz {
 struct BuildLook {
   double azimuth = 24, elevation = 20, zoom = 1;
   int width = 1920, height = 1080;
-  bool has_help = false;  ///< The keys of the window are shown.
 };
+
+/// What brings a picture back.
+std::string command_of(const BuildStep& step, const BuildLook& look);
 
 struct BuildPicture {
   static constexpr int lowest_width = 1200, lowest_height = 675;  ///< Below, text would not be read.

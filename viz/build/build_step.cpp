@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sightline/io/output_file.h"
+#include "viz/command_text.h"
 #include "viz/partition_picture.h"
 #include "viz/structure.h"
 
@@ -89,7 +90,7 @@ BuildStep BuildStory::step_at(std::size_t node) const {
   step.title = structure_.accelerator + " on " + scene_ + ": " +
                (step.step ? "step " + with_commas(*step.step) + " of " + with_commas(tree_.steps().size()) : "a leaf") +
                ", node " + std::to_string(cell.node) + " at depth " + std::to_string(cell.depth);
-  step.command = "sightline-view build --accel " + structure_.label + " --scene " + scene_ +
+  step.command = "sightline-view build --accel " + quoted(structure_.label) + " --scene " + quoted(scene_) +
                  (step.step ? " --step " + std::to_string(*step.step) : " --node " + std::to_string(cell.node)) +
                  flags_;
   return step;

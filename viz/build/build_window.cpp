@@ -24,33 +24,42 @@ std::optional<std::size_t> node_after(const BuildTree& tree, std::size_t node, c
   return *step + 1 == tree.steps().size() ? std::nullopt : std::optional(tree.steps()[*step + 1]);
 }
 
-std::string picture_name(const BuildStory& story, const BuildStep& step) {
-  return "build-" + story.structure().accelerator + '-' + std::to_string(story.tree()[step.node].cell.node) + ".png";
-}
-
-BuildWindow::BuildWindow(const BuildStory& story, std::size_t node, const BuildLook& look)
-    : InteractiveWindow("build " + story.structure().accelerator + " on " + story.scene(), look.width, look.height),
+BuildWindow::BuildWindow(const BuildStory& story, std::size_t node, const BuildLook& look, std::ostream& commands,
+                         WindowFrame* frame)
+    : InteractiveWindow({.name = "build",
+                         .title = "build " + story.structure().accelerator + " on " + story.scene(),
+                         .width = look.width,
+                         .height = look.height},
+                        frame, commands),
       story_(story),
       step_(story.step_at(node)),
       look_(look) {
   show();
 }
 
+std::vector<WindowKey> BuildWindow::keys() const {
+  return {{"Right, Left", "the next node, the previous one"},
+          {"Up", "the node above"},
+          {"Down", "the child below"},
+          {"Tab", "the other child"},
+          {"Home", "the root"},
+          {"drag, wheel", "turns, comes closer"}};
+}
+
 void BuildWindow::press() {
   is_turning_ = true;
-  hand_x_ = interactor().GetEventPosition()[0], hand_y_ = interactor().GetEventPosition()[1];
+  hand_x_ = hand()[0], hand_y_ = hand()[1];
 }
 
 void BuildWindow::release() { is_turning_ = false; }
 
 void BuildWindow::zoom(double factor) {
-  look_.zoom = std::clamp(look_.zoom * factor, 0.1, 100.0);
+  look_.zoom = std::clamp(rounded(look_.zoom * factor, 1000), 0.1, 100.0);
   show();
 }
 
 void BuildWindow::fit() {
-  const int width = std::max(window().GetSize()[0], BuildPicture::lowest_width);
-  const int height = std::max(window().GetSize()[1], BuildPicture::lowest_height);
+  const auto [width, height] = area_for<BuildPicture>();
   if (width == look_.width && height == look_.height) return;
   look_.width = width, look_.height = height;
   show();
@@ -58,26 +67,14 @@ void BuildWindow::fit() {
 
 void BuildWindow::move() {
   if (!is_turning_) return;
-  const int x = interactor().GetEventPosition()[0], y = interactor().GetEventPosition()[1];
-  look_.azimuth = std::fmod(look_.azimuth - 0.4 * (x - hand_x_), 360);
-  look_.elevation = std::clamp(look_.elevation - 0.4 * (y - hand_y_), -90.0, 90.0);
+  const auto [x, y] = hand();
+  look_.azimuth = rounded(std::fmod(look_.azimuth - 0.4 * (x - hand_x_), 360), 10);
+  look_.elevation = std::clamp(rounded(look_.elevation - 0.4 * (y - hand_y_), 10), -90.0, 90.0);
   hand_x_ = x, hand_y_ = y;
   show();
 }
 
 void BuildWindow::answer_key(const std::string& key) {
-  if (key == "h" || key == "H") {
-    look_.has_help = !look_.has_help;
-    return show();
-  }
-  if (key == "s" || key == "S") {
-    BuildLook look = look_;
-    look.has_help = false;
-    const std::string name = picture_name(story_, step_);
-    BuildPicture{story_, step_, look}.write_png(name);
-    std::cerr << name << '\n';
-    return;
-  }
   if (const auto node = node_after(story_.tree(), step_.node, key)) go_to(*node);
 }
 
@@ -91,7 +88,7 @@ void BuildWindow::go_to(std::size_t node) try {
 
 void BuildWindow::show() {
   BuildPicture{story_, step_, look_}.show_in(window(), 1);
-  window().Render();
+  render();
 }
 
 }  // namespace sightline::viz

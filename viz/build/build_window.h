@@ -10,10 +10,17 @@ namespace sightline::viz {
 
 class BuildWindow : public InteractiveWindow {
  public:
-  BuildWindow(const BuildStory& story, std::size_t node, const BuildLook& look);
+  BuildWindow(const BuildStory& story, std::size_t node, const BuildLook& look, std::ostream& commands,
+              WindowFrame* frame = nullptr);
 
   std::size_t node() const { return step_.node; }
   const BuildStep& step() const { return step_; }
+  std::string command() const override { return command_of(step_, look_); }
+  std::vector<WindowKey> keys() const override;
+  SharedView shared_view() const override { return {{}, look_.azimuth, look_.elevation, {}}; }
+  void write_png(const std::filesystem::path& path) const override {
+    BuildPicture{story_, step_, look_}.write_png(path);
+  }
 
  private:
   void answer_key(const std::string& key) override;
@@ -23,7 +30,7 @@ class BuildWindow : public InteractiveWindow {
   void release() override;
   void zoom(double factor) override;
   void fit() override;
-  void show();
+  void show() override;
 
   const BuildStory& story_;
   BuildStep step_;
@@ -35,8 +42,5 @@ class BuildWindow : public InteractiveWindow {
 /// Where a key leads from a node; nothing where it leads nowhere. "Right" and "Left" are the next and previous step,
 /// "Up" the parent, "Down" the first child, "Tab" the next sibling, "Home" the root.
 std::optional<std::size_t> node_after(const BuildTree& tree, std::size_t node, const std::string& key);
-
-/// What the window's S writes: build-kd-tree-17.png.
-std::string picture_name(const BuildStory& story, const BuildStep& step);
 
 }  // namespace sightline::viz

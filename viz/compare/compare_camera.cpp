@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "viz/walk/walk_model.h"
+
 namespace sightline::viz {
 
 SpaceCamera camera_for(const TriangleMesh& mesh, const CompareLook& look, double aspect) {
@@ -41,7 +43,7 @@ Ray<float> ray_across(const Tracer& tracer) {
       }
     }
   }
-  return *best;
+  return farthest > 0 ? *best : usual_ray(tracer);
 }
 
 }  // namespace sightline::viz

@@ -9,7 +9,6 @@
 #include "sightline/scene/scenes.h"
 #include "viz/compare/compare_data.h"
 #include "viz/compare/compare_window.h"
-#include "viz/view_options.h"
 #include "viz/virtual_screen.h"
 
 namespace sightline::viz {
@@ -37,13 +36,22 @@ Examples
   sightline-view compare --show all --out teapot.png
       writes teapot-walk.png, teapot-work.png, teapot-difference.png and teapot-histogram.png)";
 
+constexpr const char* heat_about =
+    R"(What a structure spends on the rays of a picture, pixel by pixel: cells opened, triangles tested, or both.
+
+Examples
+  sightline-view heat
+      a window on the teapot's kd-tree: H there tells the keys
+  sightline-view heat --accel grid --scene dragon:3 --count candidates --out grid.png
+  sightline-view heat --accel bih --out bih.json
+      every figure)";
+
 constexpr std::size_t fewest_structures = 2, most_structures = 6;
 
 enum class Form { png, svg, csv, json };
 
 Form form_of(const std::string& out) {
-  std::string extension = std::filesystem::path(out).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = extension_of(out);
   if (extension == ".png") return Form::png;
   if (extension == ".svg") return Form::svg;
   if (extension == ".csv") return Form::csv;
@@ -62,22 +70,10 @@ auto parse_name(const std::string& option, const std::string& text, const Kinds&
   refuse(option, text, "one of " + names + more);
 }
 
-Ray<float> parse_ray(const std::string& text) {
-  const auto v = finite_numbers(text, 6, ',');
-  if (!v) refuse("--ray", text, "OX,OY,OZ,DX,DY,DZ, six finite numbers: an origin and a direction");
-  const auto number = [&](std::size_t i) { return static_cast<float>((*v)[i]); };
-  const Ray<float> ray{{number(0), number(1), number(2)}, {number(3), number(4), number(5)}};
-  if (!is_valid(ray)) refuse("--ray", text, "numbers that are finite as float, and a direction that is not zero");
-  return ray;
-}
-
 Ray<float> parse_pick(const std::string& text, const TriangleMesh& mesh, const CompareLook& look,
                       const CompareLayout& layout) {
-  const auto pixel = finite_numbers(text, 2, ',');
-  if (pixel && std::fabs((*pixel)[0]) < 1e6 && std::fabs((*pixel)[1]) < 1e6) {
-    const auto [x, y] = std::pair(static_cast<int>((*pixel)[0]), static_cast<int>((*pixel)[1]));
-    const bool is_whole = x == (*pixel)[0] && y == (*pixel)[1];
-    if (const auto ray = ray_through_pixel(mesh, look, layout, x, y); ray && is_whole) return *ray;
+  if (const auto at = pixel_in(text)) {
+    if (const auto ray = ray_through_pixel(mesh, look, layout, at->x, at->y)) return *ray;
   }
   std::string places;
   for (const PixelFrame& f : layout.pictures()) {
@@ -113,51 +109,51 @@ struct CompareCommand::Plan {
   bool needs_screen = false;
 };
 
-CompareCommand::CompareCommand(CLI::App& program, const std::string& data_folder)
-    : command_(program.add_subcommand("compare", about)), data_(data_folder), usual_data_(data_folder) {
+CompareCommand::CompareCommand(CLI::App& program, const std::string& data_folder, bool is_heat)
+    : is_heat_(is_heat),
+      command_(program.add_subcommand(is_heat ? "heat" : "compare", is_heat ? heat_about : about)),
+      data_(data_folder),
+      usual_data_(data_folder),
+      structures_(*command_, is_heat ? "kd-tree" : "box-tree,sphere-tree,grid,bsp-tree,kd-tree,bih", !is_heat),
+      camera_(*command_),
+      show_(is_heat ? "work" : "walk") {
   command_->fallthrough();
   const auto add = [this](const char* name, auto& value, const char* help, const char* form) {
     return command_->add_option(name, value, help)->option_text(form);
   };
-  add("--accel", accelerators_, "Two to six structures; default box-tree,sphere-tree,grid,bsp-tree,kd-tree,bih",
-      "NAME[:OPTION=VALUE,...],...");
-  add("--scene", scene_, "A scene of list, with or without :SIZE, or a mesh file; default teapot", "SCENE");
-  add("--set", settings_, "An option of all entries of a structure; may be repeated", "ACCEL.OPTION=VALUE")
-      ->expected(1)
-      ->take_all();
-  add("--threads", threads_, "Threads to build with, to 1024; default 0: all", "N")->check(CLI::Range(0, 1024));
-  add("--show", show_, "walk, work, difference, histogram or all; default walk", "KIND");
   add("--count", count_, "What work is: nodes (cells opened), candidates (tested) or all; default all", "COUNT");
-  add("--against", against_, "What others are compared with; default the first of --accel", "NAME");
-  add("--alone", alone_, "Only the N-th structure, large; scales stay those of all", "N")->check(CLI::Range(1, 6));
+  if (!is_heat) {
+    add("--show", show_, "walk, work, difference, histogram or all; default walk", "KIND");
+    add("--against", against_, "What others are compared with; default the first of --accel", "NAME");
+    add("--alone", alone_, "Only the N-th structure, large; scales stay those of all", "N")->check(CLI::Range(1, 6));
+  }
   auto* ray =
       add("--ray", ray_, "Origin and direction; default one from the left that meets much", "OX,OY,OZ,DX,DY,DZ");
-  add("--pick", pick_, "The ray through a pixel of the picture instead", "X,Y")->excludes(ray);
+  auto* pick = add("--pick", pick_, "The ray through a pixel of the picture instead", "X,Y")->excludes(ray);
   add("--turn", turn_, "Turns the camera to the right after a pick, to see the ray from the side; default 0", "DEGREES")
-      ->check(CLI::Range(-180.0, 180.0));
+      ->check(CLI::Range(-180.0, 180.0))
+      ->needs(pick);
   add("--size", size_, "Of the picture or window in pixels, from 960x540; default 1920x1080", "WIDTHxHEIGHT");
-  add("--azimuth", azimuth_, "Camera: degrees to the right of the front; default 24", "DEGREES")
-      ->check(CLI::Range(-360.0, 360.0));
-  add("--elevation", elevation_, "Camera: degrees above the horizon; default 20", "DEGREES")
-      ->check(CLI::Range(-90.0, 90.0));
-  add("--zoom", zoom_, "Camera: 1 shows everything, 2 comes twice as close", "FACTOR")->check(CLI::Range(0.1, 100.0));
-  add("--out", outs_, "A .png, .svg, .csv or .json file instead of a window; may be repeated", "FILE")
-      ->expected(1)
-      ->take_all();
+  add_outs(*command_, outs_, ".png, .svg, .csv or .json");
 }
 
 CompareCommand::Plan CompareCommand::plan() const {
   const PictureSize size =
       parse_size_of<CompareLayout>(size_);  // GCC 12 destroys twice what it throws amid a Plan{...}
-  Plan plan{{}, {}, {accelerators_, scene_, {}, settings_, {}}, size, {}, {}, false};
+  const std::string& accelerators = structures_.accelerators();
+  Plan plan{{}, {}, {accelerators, structures_.scene(), {}, structures_.settings(), {}}, size, {}, {}, false};
+  plan.source.name = command_->get_name();
   try {
-    plan.specs = parse_accelerators(accelerators_);
-    if (plan.specs.size() < fewest_structures || plan.specs.size() > most_structures) {
-      refuse("--accel", accelerators_, "two to six structures, found " + std::to_string(plan.specs.size()));
+    plan.specs = parse_accelerators(accelerators);
+    const std::size_t fewest = is_heat_ ? 1 : fewest_structures, most = is_heat_ ? 1 : most_structures;
+    if (plan.specs.size() < fewest || plan.specs.size() > most) {
+      refuse(
+          "--accel", accelerators,
+          (is_heat_ ? "one structure, found " : "two to six structures, found ") + std::to_string(plan.specs.size()));
     }
-    apply_settings(plan.specs, settings_);
+    apply_settings(plan.specs, structures_.settings());
     for (AcceleratorSpec& spec : plan.specs) {
-      spec.settings.threads = threads_;
+      spec.settings.threads = structures_.threads();
       check_accelerator(spec);
       plan.source.labels.push_back(spec.label);
     }
@@ -170,24 +166,19 @@ CompareCommand::Plan CompareCommand::plan() const {
   const bool has_all = show_ == "all";
   if (!has_all) look.kind = parse_name("--show", show_, compare_kinds, " or all");
   look.work = parse_name("--count", count_, work_kinds);
-  for (const auto& [option, value] :
-       {std::pair("--azimuth", azimuth_), {"--elevation", elevation_}, {"--zoom", zoom_}, {"--turn", turn_}}) {
-    require_number(option, value);
-  }
-  look.azimuth = azimuth_, look.elevation = elevation_, look.zoom = zoom_;
-  if (command_->count("--against")) {
+  camera_.check();
+  require_number("--turn", turn_);
+  look.azimuth = camera_.azimuth(), look.elevation = camera_.elevation(), look.zoom = camera_.zoom();
+  if (!against_.empty()) {
     look.against = 0;
     while (look.against < plan.specs.size() && plan.source.labels[look.against] != against_) ++look.against;
-    if (look.against == plan.specs.size()) refuse("--against", against_, "one of --accel " + accelerators_);
+    if (look.against == plan.specs.size()) refuse("--against", against_, "one of --accel " + accelerators);
   }
   if (alone_ > static_cast<int>(plan.specs.size())) {
     refuse("--alone", std::to_string(alone_), "1 to " + std::to_string(plan.specs.size()));
   }
   if (alone_ > 0) look.alone = static_cast<std::size_t>(alone_ - 1);
-  if (command_->count("--ray")) plan.ray = parse_ray(ray_);
-  if (command_->count("--turn") && !command_->count("--pick")) {
-    refuse("--turn", std::to_string(turn_), "--pick beside it");
-  }
+  if (command_->count("--ray")) plan.ray = parse_ray("--ray", ray_);
   for (const std::string& out : outs_) {
     const Form form = form_of(out);
     plan.needs_screen |= form == Form::png || form == Form::svg;
@@ -204,13 +195,16 @@ CompareCommand::Plan CompareCommand::plan() const {
   return plan;
 }
 
-int CompareCommand::run() const {
+int CompareCommand::run(WindowFrame* frame) const {
   Plan plan = this->plan();
+  if (outs_.empty() && !has_display()) {
+    throw ScreenError("no display to open a window on; write a file instead: --out FILE.png, .svg, .csv or .json");
+  }
   std::optional<PictureScreen> screen;
   if (plan.needs_screen) screen.emplace();
   Progress progress;
-  progress.say("reading " + scene_);
-  const auto mesh = load_scene(scene_, data_);
+  progress.say("reading " + structures_.scene());
+  const auto mesh = load_scene(structures_.scene(), data_);
   std::vector<Compared> compared;
   for (const AcceleratorSpec& spec : plan.specs) {
     progress.say("building " + spec.label);
@@ -223,7 +217,8 @@ int CompareCommand::run() const {
     look.ray = parse_pick(pick_, *mesh, look, {width, height, look.alone ? 1 : compared.size()});
     look.azimuth = std::fmod(look.azimuth + turn_, 360);
   }
-  CompareSession session(std::move(compared), plan.source);
+  const auto held = std::make_shared<CompareSession>(std::move(compared), plan.source);
+  CompareSession& session = *held;
 
   Verdict verdict = verdict_of(session.compared(), session.find(look, width, height, false));
   std::cout << comparison_table(session.compared(), session.picture(look, width, height).findings) << std::flush;
@@ -253,12 +248,8 @@ int CompareCommand::run() const {
     }
   }
   progress.clear();
-  if (outs_.empty() && has_display()) {
-    CompareWindow(session, look, width, height, std::cout).run();
-  } else if (outs_.empty()) {
-    std::cerr << "sightline-view: no display to open a window on; --out FILE.png writes the picture\n";
-  }
   if (!verdict.is_same) std::cerr << "sightline-view: " << verdict.text << '\n';
+  if (outs_.empty()) open_window<CompareWindow>(frame, held, session, look, width, height, std::cout);
   return verdict.is_same ? 0 : 1;
 }
 

@@ -34,10 +34,8 @@ struct CompareSource {
   std::vector<std::string> labels;    ///< One a structure.
   std::vector<std::string> settings;  ///< --set
   std::vector<std::string> common;    ///< Further words, such as --data and its folder.
+  std::string name = "compare";       ///< The subcommand's; heat shows the work of one structure.
 };
-
-/// "OX,OY,OZ,DX,DY,DZ", in the shortest digits that are read back as the same floats.
-std::string ray_text(const Ray<float>& ray);
 
 /// Quoted for a shell where that is needed.
 std::string command_line(const CompareSource& source, const CompareLook& look, int width, int height);

@@ -79,7 +79,6 @@ class Drawing {
     const double room = layout_.width() - 2 * CompareLayout::margin;
     const std::string line = command_line(picture_.source, picture_.look, picture_.width, picture_.height);
     paper_.text({CompareLayout::margin, layout_.command_line()}, paper_.shortened(line, style, room), style);
-    if (picture_.has_help) draw_help();
   }
 
   void show_in(vtkRenderWindow& window) const {
@@ -114,9 +113,11 @@ class Drawing {
     const double room = layout_.width() - 2 * CompareLayout::margin;
     const std::string title = picture_.source.scene + ": " + what[static_cast<std::size_t>(look().kind)];
     paper_.text({CompareLayout::margin, CompareLayout::title_line}, paper_.shortened(title, bold, room), bold);
+    const std::string text = picture_.compared.size() > 1
+                                 ? verdict.text
+                                 : "each pixel: the " + std::string(unit_of(look().work)) + " of its ray";
     const Canvas::TextStyle style{20, verdict.is_same ? soft_ink : accent, Align::left, !verdict.is_same};
-    paper_.text({CompareLayout::margin, CompareLayout::verdict_line}, paper_.shortened(verdict.text, style, room),
-                style);
+    paper_.text({CompareLayout::margin, CompareLayout::verdict_line}, paper_.shortened(text, style, room), style);
   }
 
   void draw_walks() {
@@ -256,27 +257,6 @@ class Drawing {
     legend.text(
         "bins: 0, 1, 2, 3, then four a doubling, labelled where they begin; gray: no work, cut off; marked: the "
         "median, and what 99 % of rays do not exceed");
-  }
-
-  void draw_help() {
-    const std::vector<std::string> lines{"drag: turn all panels",
-                                         "wheel: closer",
-                                         "click on a picture: the ray through that pixel, in all",
-                                         "1 to 6: one structure alone, the same key again or 0: all",
-                                         "M: walk, work, difference, histogram",
-                                         "C: count nodes, candidates, all",
-                                         "A: the next structure is what others are compared with",
-                                         "S: print the command line of what is shown",
-                                         "R: back to the beginning",
-                                         "H: this help",
-                                         "Q: close"};
-    const double line = 30, width = 680, height = line * double(lines.size()) + 36;
-    const double x = (layout_.width() - width) / 2, y = (layout_.height() - height) / 2;
-    over_.rectangle({x, y}, width, height, {1, 1, 1}, 0.95);
-    draw_border(over_, {x, y, width, height});
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      over_.text({x + 28, y + 33 + line * double(i)}, lines[i], {20, ink});
-    }
   }
 
   const ComparePicture& picture_;

@@ -22,7 +22,6 @@ struct ComparePicture {
   CompareLook look;
   CompareSource source;
   int width, height;
-  bool has_help = false;  ///< Keys, over the picture.
 
   /// Which structures have a panel.
   std::vector<std::size_t> shown() const;

@@ -45,8 +45,8 @@ const CompareFindings& CompareSession::find(const CompareLook& look, int width, 
   return findings_;
 }
 
-ComparePicture CompareSession::picture(const CompareLook& look, int width, int height, bool has_help) const {
-  return {compared_, surface_, findings_, look, source_, width, height, has_help};
+ComparePicture CompareSession::picture(const CompareLook& look, int width, int height) const {
+  return {compared_, surface_, findings_, look, source_, width, height};
 }
 
 std::optional<Ray<float>> ray_through_pixel(const TriangleMesh& mesh, const CompareLook& look,

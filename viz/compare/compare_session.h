@@ -14,13 +14,14 @@ class CompareSession {
 
   std::span<const Compared> compared() const { return compared_; }
   const CompareSource& source() const { return source_; }
+  bool is_alone() const { return compared_.size() == 1; }
 
   /// The walks, and with `needs_pixels` all pixels of a panel, each `coarseness` pixels wide; `tell` hears of each
   /// structure before it is traced. What is known from the last time is not asked for again.
   const CompareFindings& find(const CompareLook& look, int width, int height, bool needs_pixels, int coarseness = 1,
                               const std::function<void(const std::string&)>& tell = {});
   /// Of the last findings; these and the session outlive it.
-  ComparePicture picture(const CompareLook& look, int width, int height, bool has_help = false) const;
+  ComparePicture picture(const CompareLook& look, int width, int height) const;
 
  private:
   std::vector<Compared> compared_;

@@ -11,27 +11,44 @@
 namespace sightline::viz {
 namespace {
 
-template <class T>
-using New = vtkSmartPointer<T>;
-
 constexpr int slack = 4;  // pixels that a click may move
 constexpr int turning_coarseness = 4;
 constexpr double lowest_zoom = 0.1, highest_zoom = 100;
 
-/// Numbers that a command line tells in few digits.
-double rounded(double number, double parts) { return std::round(number * parts) / parts; }
-
 }  // namespace
 
-CompareWindow::CompareWindow(CompareSession& session, const CompareLook& look, int width, int height, std::ostream& out)
-    : InteractiveWindow("compare " + session.source().scene, width, height),
+CompareWindow::CompareWindow(CompareSession& session, const CompareLook& look, int width, int height, std::ostream& out,
+                             WindowFrame* frame)
+    : InteractiveWindow({.name = session.source().name,
+                         .title = session.source().name + " " + session.source().scene,
+                         .width = width,
+                         .height = height},
+                        frame, out),
       session_(session),
       look_(look),
       first_(look),
       width_(width),
-      height_(height),
-      out_(out) {
+      height_(height) {
   show();
+}
+
+std::vector<WindowKey> CompareWindow::keys() const {
+  const WindowKey drag{"drag", "turns"}, wheel{"wheel", "closer and farther"}, back{"R", "back to the beginning"};
+  const WindowKey count{"C", "counts nodes, candidates, all"};
+  if (session_.is_alone()) return {drag, wheel, {"click on a pixel", "its ray, and its walk"}, count, back};
+  return {drag,
+          wheel,
+          {"click on a picture", "the ray through that pixel, in all"},
+          {"1 to 6", "one structure alone, the same key again or 0: all"},
+          {"M", "walk, work, difference, histogram"},
+          count,
+          {"D", "the next structure is what others are compared with"},
+          back};
+}
+
+void CompareWindow::write_png(const std::filesystem::path& path) const {
+  session_.find(look_, width_, height_, look_.kind != CompareKind::walk);
+  session_.picture(look_, width_, height_).write_png(path);
 }
 
 void CompareWindow::zoom(double factor) {
@@ -41,16 +58,16 @@ void CompareWindow::zoom(double factor) {
 
 void CompareWindow::press() {
   is_held_ = true, has_turned_ = false;
-  std::copy_n(interactor().GetEventPosition(), 2, from_);
+  std::ranges::copy(hand(), from_);
 }
 
 void CompareWindow::move() {
   if (!is_held_) return;
-  const int* at = interactor().GetEventPosition();
+  const auto at = hand();
   const int right = at[0] - from_[0], up = at[1] - from_[1];
   if (!has_turned_ && std::max(std::abs(right), std::abs(up)) <= slack) return;
   has_turned_ = true;
-  std::copy_n(at, 2, from_);
+  std::ranges::copy(at, from_);
   constexpr double degrees = 0.3;  // for one pixel
   look_.azimuth = rounded(std::fmod(look_.azimuth - degrees * right, 360), 10);
   look_.elevation = std::clamp(rounded(look_.elevation - degrees * up, 10), -90.0, 90.0);
@@ -68,7 +85,8 @@ void CompareWindow::release() {
   if (!ray || look_.kind == CompareKind::histogram) return;
   look_.ray = *ray;
   show();
-  out_ << '\n' << comparison_table(session_.compared(), findings()) << command() << '\n' << std::flush;
+  if (session_.is_alone()) frame().ask("walk");
+  out() << '\n' << comparison_table(session_.compared(), findings()) << command() << '\n' << std::flush;
 }
 
 void CompareWindow::answer_key(const std::string& key) {
@@ -78,17 +96,11 @@ void CompareWindow::answer_key(const std::string& key) {
   const auto is = [&](char letter) {
     return key.size() == 1 && std::tolower(static_cast<unsigned char>(key[0])) == letter;
   };
-  if (is('s')) {
-    out_ << command() << '\n' << std::flush;
-    return;
-  }
-  if (is('h')) {
-    has_help_ = !has_help_;
-  } else if (is('m')) {
+  if (is('m') && !session_.is_alone()) {
     look_.kind = next(look_.kind, compare_kinds.size());
   } else if (is('c')) {
     look_.work = next(look_.work, std::size(work_kinds));
-  } else if (is('a')) {
+  } else if (is('d')) {
     look_.against = next(look_.against, session_.compared().size());
   } else if (is('r')) {
     look_ = first_;
@@ -106,8 +118,7 @@ void CompareWindow::answer_key(const std::string& key) {
 
 /// The picture grows and shrinks with the window.
 void CompareWindow::fit() {
-  const int width = std::max(window().GetSize()[0], CompareLayout::lowest_width);
-  const int height = std::max(window().GetSize()[1], CompareLayout::lowest_height);
+  const auto [width, height] = area_for<CompareLayout>();
   if (width == width_ && height == height_) return;
   width_ = width, height_ = height;
   show();
@@ -118,8 +129,8 @@ void CompareWindow::show(bool is_turning) {
   session_.find(look_, width_, height_, look_.kind != CompareKind::walk, is_turning ? turning_coarseness : 1,
                 [&](const std::string& label) { progress.say("tracing the picture's rays", label); });
   progress.clear();
-  session_.picture(look_, width_, height_, has_help_).show_in(window(), 1);
-  window().Render();
+  session_.picture(look_, width_, height_).show_in(window(), 1);
+  render();
 }
 
 }  // namespace sightline::viz

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <iosfwd>
-
 #include "viz/compare/compare_session.h"
 #include "viz/interactive_window.h"
 
@@ -11,15 +9,18 @@ namespace sightline::viz {
 /// help says. Refers to the session and the stream.
 class CompareWindow : public InteractiveWindow {
  public:
-  CompareWindow(CompareSession& session, const CompareLook& look, int width, int height, std::ostream& out);
+  CompareWindow(CompareSession& session, const CompareLook& look, int width, int height, std::ostream& out,
+                WindowFrame* frame = nullptr);
 
   /// What is shown.
   const CompareLook& look() const { return look_; }
   const CompareFindings& findings() const { return session_.picture(look_, width_, height_).findings; }
-  bool has_help() const { return has_help_; }
   int width() const { return width_; }
   int height() const { return height_; }
-  std::string command() const { return command_line(session_.source(), look_, width_, height_); }
+  std::string command() const override { return command_line(session_.source(), look_, width_, height_); }
+  std::vector<WindowKey> keys() const override;
+  SharedView shared_view() const override { return {look_.ray, look_.azimuth, look_.elevation, look_.zoom}; }
+  void write_png(const std::filesystem::path& path) const override;
 
  private:
   void press() override;
@@ -28,14 +29,14 @@ class CompareWindow : public InteractiveWindow {
   void zoom(double factor) override;
   void answer_key(const std::string& key) override;
   void fit() override;
+  void show() override { show(false); }
   /// `is_turning`: coarse, since another picture will follow soon.
-  void show(bool is_turning = false);
+  void show(bool is_turning);
 
   CompareSession& session_;
   CompareLook look_, first_;
   int width_, height_;
-  std::ostream& out_;
-  bool has_help_ = false, is_held_ = false, has_turned_ = false;
+  bool is_held_ = false, has_turned_ = false;
   int from_[2] = {0, 0};
 };
 

@@ -9,7 +9,6 @@
 #include "viz/graph/graph_scene.h"
 #include "viz/graph/graph_table.h"
 #include "viz/graph/graph_window.h"
-#include "viz/view_options.h"
 #include "viz/virtual_screen.h"
 
 namespace sightline::viz {
@@ -34,9 +33,7 @@ Examples
       the rocket's motion, which knows nothing of its shape
   sightline-view graph --scene jacks:2 --bounds cylinder --out jacks.png
 
-In the window: a click on a thing or a row chooses a node; drag a thing to move what is chosen, beside things to turn
-the view; the wheel comes closer; Up and Down choose the parent and the first child, B other bounds, + and - deeper and
-shallower levels, T hides things, Space plays the motion, R brings all back, Q closes.)";
+In the window, H shows the keys.)";
 
 BoundKind parse_kind(const std::string& text) {
   std::string names;
@@ -49,11 +46,23 @@ BoundKind parse_kind(const std::string& text) {
 
 constexpr double farthest = 1e9;  // so that float still tells the scene's parts apart from nothing
 
-Vec3d parse_way(const std::string& text) {
+Vec3d parse_way(const std::string& option, const std::string& text) {
   const auto v = finite_numbers(text, 3, ',');
   if (!v || max_norm(Vec3d((*v)[0], (*v)[1], (*v)[2])) > farthest)
-    refuse("--drag", text, "X,Y,Z, three numbers from -1e9 to 1e9, in units of the world; as in 1,0.5,0");
+    refuse(option, text, "X,Y,Z, three numbers from -1e9 to 1e9, in units of the world; as in 1,0.5,0");
   return {(*v)[0], (*v)[1], (*v)[2]};
+}
+
+struct Move {
+  std::string node;
+  Vec3d by;
+};
+
+/// "/top/left=0.5,0,0"
+Move parse_move(const std::string& text) {
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string::npos) refuse("--moved", text, "NODE=X,Y,Z; as in /top/left=1,0.5,0");
+  return {text.substr(0, equals), parse_way("--moved " + text.substr(0, equals), text.substr(equals + 1))};
 }
 
 struct Times {
@@ -70,7 +79,7 @@ Times parse_times(const std::string& text) {
 }  // namespace
 
 GraphCommand::GraphCommand(CLI::App& program, const std::string& data_folder)
-    : command_(program.add_subcommand("graph", about)), data_(data_folder) {
+    : command_(program.add_subcommand("graph", about)), data_(data_folder), camera_(*command_, 16) {
   command_->fallthrough();
   command_->add_option("--scene", scene_, "A scene of list, with or without :SIZE, rocket, or a file; default levels:4")
       ->option_text("SCENE");
@@ -97,31 +106,28 @@ GraphCommand::GraphCommand(CLI::App& program, const std::string& data_folder)
       ->option_text("N");
   command_->add_option("--size", size_, "Of the picture or window in pixels; default 1600x1000")
       ->option_text("WIDTHxHEIGHT");
-  command_->add_option("--azimuth", azimuth_, "Camera: degrees to the right of the front; default 24")
-      ->check(CLI::Range(-360.0, 360.0))
-      ->option_text("DEGREES");
-  command_->add_option("--elevation", elevation_, "Camera: degrees above the horizon; default 16")
-      ->check(CLI::Range(-90.0, 90.0))
-      ->option_text("DEGREES");
-  command_->add_option("--zoom", zoom_, "Camera: 1 shows everything, 2 comes twice as close")
-      ->check(CLI::Range(0.1, 100.0))
-      ->option_text("FACTOR");
+  command_
+      ->add_option("--moved", moved_,
+                   "A node that has been moved by so much in the world before all else; may be repeated")
+      ->option_text("NODE=X,Y,Z")
+      ->expected(1)
+      ->take_all();
   command_->add_option("--out", out_, "A .png file instead of a window")->option_text("FILE");
 }
 
-int GraphCommand::run() const {
+int GraphCommand::run(WindowFrame* frame) const {
   const bool has_drag = command_->count("--drag") > 0, has_time = command_->count("--time") > 0;
   const PictureSize size = parse_size_of<GraphLayout>(size_);
   GraphLook look;
   look.kind = parse_kind(bounds_);
-  require_number("--azimuth", azimuth_);
-  require_number("--elevation", elevation_);
-  require_number("--zoom", zoom_);
-  look.azimuth = azimuth_, look.elevation = elevation_, look.zoom = zoom_;
+  camera_.check();
+  look.azimuth = camera_.azimuth(), look.elevation = camera_.elevation(), look.zoom = camera_.zoom();
   look.has_things = !has_bounds_only_;
   std::optional<DepthRange> levels;
   if (command_->count("--level")) levels = parse_depth(level_, "--level");
-  const Vec3d way = has_drag ? parse_way(drag_) : Vec3d(0);
+  const Vec3d way = has_drag ? parse_way("--drag", drag_) : Vec3d(0);
+  std::vector<Move> moves;
+  for (const std::string& text : moved_) moves.push_back(parse_move(text));
   const Times times = has_time ? parse_times(time_) : Times{0, 0};
   if (has_drag && !command_->count("--select")) refuse("--drag", drag_, "--select NODE beside it, the node to move");
   if (command_->count("--frames") && !has_drag && !has_time) {
@@ -132,20 +138,32 @@ int GraphCommand::run() const {
   }
   const bool has_picture = command_->count("--out") > 0;
   if (has_picture) {
-    if (out_.empty() || output_kind(out_) != OutputKind::png) refuse("--out", out_, "a name that ends in .png");
+    if (out_.empty() || extension_of(out_) != ".png") refuse("--out", out_, "a name that ends in .png");
     OutputFile check(out_);  // says now whether it can be written
   }
 
   Progress progress;
   progress.say("reading " + scene_);
-  PlayedScene played = load_played_scene(scene_, data_);
+  struct Held {
+    PlayedScene played;
+    LiveScene scene;
+    explicit Held(PlayedScene read) : played(std::move(read)), scene(std::move(played.scene)) {}
+  };
+  const auto held = std::make_shared<Held>(load_played_scene(scene_, data_));
+  PlayedScene& played = held->played;
+  LiveScene& scene = held->scene;
   if (has_time && !played.controller) {
     refuse("--time", time_,
            "a scene that moves, which " + scene_ + " does not: levels, rocket or a file with animations");
   }
-  if (command_->count("--select")) look.selected = node_by_name(played.scene.graph, selected_);
+  if (command_->count("--select")) look.selected = node_by_name(scene.scene().graph, selected_);
   progress.say("bounding " + scene_);
-  LiveScene scene(std::move(played.scene));
+  std::map<NodeId, Vec3d> moved;
+  for (const Move& move : moves) {
+    const NodeId node = node_by_name(scene.scene().graph, move.node);
+    drag(scene, node, move.by, look.kind);
+    moved.try_emplace(node, Vec3d(0)).first->second += move.by;
+  }
   const DrawnScene drawn(scene.scene());
   look.deepest = readable_depth(drawn.shape, *snapshot_of(scene, look.kind), look.kind);
   if (levels) {
@@ -157,7 +175,7 @@ int GraphCommand::run() const {
     }
   }
 
-  GraphPicture picture{drawn, {}, look, true, scene_, summary(drawn, look), "", "", size.width, size.height};
+  GraphPicture picture{drawn, {}, look, true, scene_, summary(drawn, look), "", size.width, size.height};
   std::optional<PictureScreen> screen;
   if (has_picture) screen.emplace();
   progress.clear();
@@ -168,8 +186,8 @@ int GraphCommand::run() const {
     picture.verdict = verdict_of(change, drawn.graph);
     std::cout << change_table(drawn.graph, drawn.shape, change, false);
   } else if (has_time) {
-    picture.frames =
-        frames_of(scene, *played.controller, times.first, times.last, frames_ > 0 ? frames_ : 6, look.kind);
+    picture.frames = frames_of(scene, *played.controller, times.first, times.last,
+                               frames_ > 0 ? frames_ : (times.first == times.last ? 1 : 6), look.kind);
     std::cout << motion_table(drawn.graph, picture.frames, look.selected);
   } else {
     picture.frames = {still_frame(scene, look.kind)};
@@ -182,8 +200,8 @@ int GraphCommand::run() const {
     picture.write_png(out_);
     progress.clear();
   } else if (has_display()) {
-    GraphWindow(scene, played.controller.get(), played.duration, scene_, look, size.width, size.height, std::cout)
-        .run();
+    return open_window<GraphWindow>(frame, held, scene, played.controller.get(), played.duration, scene_, look,
+                                    size.width, size.height, std::cout, moved);
   } else {
     std::cerr << "sightline-view: no display to open a window on; --out FILE.png writes the picture\n";
   }

@@ -80,14 +80,8 @@ class Legend {
 };
 
 void draw_legend(Canvas& canvas, const GraphPicture& picture, const GraphLayout& layout) {
-  const bool has_help = !picture.help.empty();
-  Legend legend(canvas, layout.height() - (has_help ? 42 : 28), layout.width() - GraphLayout::margin + 4);
+  Legend legend(canvas, layout.height() - 28, layout.width() - GraphLayout::margin + 4);
   legend.depths(picture.look);
-  if (has_help) {
-    const Canvas::TextStyle style{13.5, soft_ink};
-    const double room = layout.width() - 2 * GraphLayout::margin;
-    canvas.text({GraphLayout::margin, layout.height() - 16}, canvas.shortened(picture.help, style, room), style);
-  }
   if (picture.frames.back().moved != no_node) {
     legend.number("the event's way up");
     legend.line(accent, 2, true, "stale bound");

@@ -19,7 +19,6 @@ struct GraphPicture {
   bool has_one_tree = true;  ///< Left of all frames; otherwise one in each.
   std::string title, subtitle;
   std::string verdict;              ///< What comes of a change; or empty.
-  std::string help;                 ///< Below the legend; or empty.
   int width = 1600, height = 1000;  ///< Pixels.
 
   double aspect = 1;  ///< Width over height of what is in space; see aspect_of().

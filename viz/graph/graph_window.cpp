@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <utility>
 
+#include "viz/command_text.h"
 #include "viz/graph/graph_table.h"
 #include "viz/graph/tree_panel.h"
+#include "viz/window_image.h"
 
 namespace sightline::viz {
 namespace {
@@ -18,26 +21,63 @@ using New = vtkSmartPointer<T>;
 constexpr unsigned long tick_length = 40;  // milliseconds
 constexpr int ticks_a_step = 8;
 
-constexpr const char* help =
-    "drag a thing: move its node  |  beside: turn  |  wheel: closer  |  Up, Down: parent, child  |  B: bounds  |  "
-    "+ -: depths  |  T: things  |  Space: play  |  R: back";
-
 }  // namespace
 
 GraphWindow::GraphWindow(LiveScene& scene, const Controller* controller, double duration, const std::string& title,
-                         const GraphLook& look, int width, int height, std::ostream& tables)
-    : InteractiveWindow("graph " + title, width, height),
+                         const GraphLook& look, int width, int height, std::ostream& tables,
+                         const std::map<NodeId, Vec3d>& moved, WindowFrame* frame)
+    : InteractiveWindow(
+          {.name = "graph", .title = "graph " + title, .width = width, .height = height, .tells_command = false}, frame,
+          tables),
       scene_(scene),
       controller_(controller),
       duration_(duration),
-      tables_(tables),
       drawn_(scene.scene()),
-      picture_{drawn_, {still_frame(scene, look.kind)}, look, true, title, summary(drawn_, look), "", help, width,
-               height},
+      first_moved_(moved),
+      moved_(moved),
+      picture_{drawn_, {still_frame(scene, look.kind)}, look, true, title, summary(drawn_, look), "", width, height},
       first_look_(look),
       camera_(picture_.camera()) {
   for (NodeId node = 0; node < drawn_.graph.size(); ++node) first_places_.push_back(drawn_.graph.local(node));
   show();
+}
+
+std::string GraphWindow::command() const {
+  const GraphLook& look = picture_.look;
+  std::string text = "sightline-view graph" + option_text("--scene", picture_.title);
+  if (time_ > 0) {
+    text += " --time " + shortest(time_) + ':' + shortest(time_);
+  } else {
+    for (const auto& [node, by] : moved_) {
+      text += " --moved " +
+              quoted(drawn_.graph.path(node) + '=' + shortest(by.x) + ',' + shortest(by.y) + ',' + shortest(by.z));
+    }
+  }
+  if (look.kind != BoundKind::box) text += " --bounds " + std::string(name_of(look.kind));
+  text += " --level " + std::to_string(look.shallowest) + ':' + std::to_string(look.deepest);
+  if (!look.has_things) text += " --bounds-only";
+  if (look.selected != root_node) text += option_text("--select", drawn_.graph.path(look.selected));
+  if (look.azimuth != 24) text += option_text("--azimuth", shortest(look.azimuth));
+  if (look.elevation != 16) text += option_text("--elevation", shortest(look.elevation));
+  if (look.zoom != 1) text += option_text("--zoom", shortest(look.zoom));
+  return text + size_text(picture_.width, picture_.height);
+}
+
+std::vector<WindowKey> GraphWindow::keys() const {
+  return {{"click", "chooses a node, by a thing or a row"},
+          {"drag a thing", "moves its node; beside things: turns the view"},
+          {"wheel", "closer and farther"},
+          {"Up, Down", "the parent, the first child"},
+          {"B", "other bounds"},
+          {"+ and -", "deeper and fewer levels"},
+          {"T", "hides things"},
+          {"Space", "plays the motion"},
+          {"R", "brings all back"}};
+}
+
+void GraphWindow::write_png(const std::filesystem::path& path) const {
+  write_picture(path, picture_.width, picture_.height,
+                [this](vtkRenderWindow& window, int scale) { picture_.show_in(window, scale, camera_); });
 }
 
 // ---- The hand
@@ -45,7 +85,7 @@ GraphWindow::GraphWindow(LiveScene& scene, const Controller* controller, double 
 /// The window's rows count from below, where the picture's last one is.
 Canvas::Point GraphWindow::hand_at() const {
   const double unit = picture_.layout().unit();
-  const int* at = interactor().GetEventPosition();
+  const auto at = hand();
   return {(at[0] + 0.5) / unit, (picture_.height - 0.5 - at[1]) / unit};
 }
 
@@ -111,7 +151,9 @@ void GraphWindow::release() {
   const bool has_moved = hand_ == Hand::moving && change_;
   hand_ = Hand::idle;
   if (!has_moved) return;
-  tables_ << '\n' << picture_.verdict << '\n' << change_table(drawn_.graph, drawn_.shape, *change_, true) << std::flush;
+  Vec3d& moved = moved_.try_emplace(change_->node, Vec3d(0)).first->second;
+  moved += change_->by;
+  out() << '\n' << picture_.verdict << '\n' << change_table(drawn_.graph, drawn_.shape, *change_, true) << std::flush;
   steps_ = frames_of(*change_, drawn_.graph, static_cast<int>(std::min<std::size_t>(change_->way.size() + 2, 40)));
   steps_.erase(steps_.begin());
   std::reverse(steps_.begin(), steps_.end());
@@ -155,7 +197,8 @@ void GraphWindow::tick() {
     steps_.pop_back();
     show();
   } else if (is_playing_ && hand_ == Hand::idle) {
-    time_ = duration_ > 0 ? std::fmod(time_ + 0.001 * tick_length, duration_) : time_ + 0.001 * tick_length;
+    time_ = rounded(time_ + 0.001 * tick_length, 1000);
+    if (duration_ > 0 && time_ >= duration_) time_ = rounded(time_ - duration_, 1000);
     picture_.frames = frames_of(scene_, *controller_, time_, time_, 1, picture_.look.kind);
     picture_.verdict = picture_.frames.front().title + ": events pass " +
                        counted(picture_.frames.front().told.size(), "node") + "; " + picture_.frames.front().text;
@@ -173,35 +216,37 @@ void GraphWindow::go_back() {
   for (NodeId node = 0; node < drawn_.graph.size(); ++node) {
     if (!(drawn_.graph.local(node) == first_places_[node])) scene_.set_local(node, first_places_[node]);
   }
+  moved_ = first_moved_;
   is_playing_ = false;
   time_ = 0;
   picture_.look = first_look_;
   let_rest();
-  camera_ = picture_.camera();
-  show();
 }
 
 // ---- The view
 
 void GraphWindow::turn(double right, double up) {
   constexpr double degrees = 0.4;  // for one unit
-  picture_.look.azimuth = std::fmod(picture_.look.azimuth - degrees * right, 360);
-  picture_.look.elevation = std::clamp(picture_.look.elevation - degrees * up, -90.0, 90.0);
+  picture_.look.azimuth = rounded(std::fmod(picture_.look.azimuth - degrees * right, 360), 10);
+  picture_.look.elevation = std::clamp(rounded(picture_.look.elevation - degrees * up, 10), -90.0, 90.0);
   const double distance = glm::length(camera_.eye - camera_.focus);
   camera_.axes = axes_toward(picture_.look.azimuth, picture_.look.elevation);
   camera_.eye = camera_.focus + distance * camera_.axes.z;
+  if (!change_) camera_ = picture_.camera();
   show();
 }
 
 void GraphWindow::zoom(double factor) {
-  camera_.eye = camera_.focus + (camera_.eye - camera_.focus) / factor;
+  const double before =
+      std::exchange(picture_.look.zoom, std::clamp(rounded(picture_.look.zoom * factor, 1000), 0.1, 100.0));
+  camera_.eye = camera_.focus + (camera_.eye - camera_.focus) * before / picture_.look.zoom;
+  if (!change_) camera_ = picture_.camera();
   show();
 }
 
 /// The picture grows and shrinks with the window.
 void GraphWindow::fit() {
-  const int width = std::max(window().GetSize()[0], GraphLayout::lowest_width);
-  const int height = std::max(window().GetSize()[1], GraphLayout::lowest_height);
+  const auto [width, height] = area_for<GraphLayout>();
   if (width == picture_.width && height == picture_.height) return;
   picture_.width = width, picture_.height = height;
   camera_.aspect = picture_.camera().aspect;
@@ -215,12 +260,13 @@ void GraphWindow::let_rest() {
   picture_.verdict.clear();
   picture_.frames = {still_frame(scene_, picture_.look.kind)};
   picture_.subtitle = summary(drawn_, picture_.look);
+  camera_ = picture_.camera();
   show();
 }
 
 void GraphWindow::show() {
   spaces_ = picture_.show_in(window(), 1, camera_);
-  window().Render();
+  render();
 }
 
 }  // namespace sightline::viz

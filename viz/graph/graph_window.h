@@ -1,6 +1,6 @@
 #pragma once
 
-#include <iosfwd>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,14 +16,20 @@ namespace sightline::viz {
 /// the view. Refers to the scene, the controller and the stream.
 class GraphWindow : public InteractiveWindow {
  public:
+  /// What `moved` says has been done to the scene.
   GraphWindow(LiveScene& scene, const Controller* controller, double duration, const std::string& title,
-              const GraphLook& look, int width, int height, std::ostream& tables);
+              const GraphLook& look, int width, int height, std::ostream& tables,
+              const std::map<NodeId, Vec3d>& moved = {}, WindowFrame* frame = nullptr);
 
   /// What is shown.
   const GraphPicture& picture() const { return picture_; }
   /// The last one; `by` counts from where the hand took hold.
   const std::optional<Change>& change() const { return change_; }
   SpaceCamera camera() const { return camera_; }
+  /// Of what is shown once an event has come to the root.
+  std::string command() const override;
+  std::vector<WindowKey> keys() const override;
+  void write_png(const std::filesystem::path& path) const override;
 
  private:
   enum class Hand { idle, moving, turning };
@@ -39,7 +45,7 @@ class GraphWindow : public InteractiveWindow {
   void zoom(double factor) override;
   void fit() override;
   void let_rest();
-  void show();
+  void show() override;
 
   Canvas::Point hand_at() const;
   std::optional<std::pair<NodeId, Vec3d>> thing_at_hand() const;
@@ -48,9 +54,9 @@ class GraphWindow : public InteractiveWindow {
   LiveScene& scene_;
   const Controller* controller_;
   double duration_;
-  std::ostream& tables_;
   DrawnScene drawn_;
   std::vector<Transform> first_places_;
+  std::map<NodeId, Vec3d> first_moved_, moved_;  ///< By how much in all, in the world: translations commute.
   GraphPicture picture_;
   GraphLook first_look_;
   SpaceCamera camera_;

@@ -1,6 +1,8 @@
 #pragma once
 /// Panels of noise that are drawn in the plane.
 
+#include <optional>
+
 #include "viz/noise/field_grid.h"
 #include "viz/noise/lattice_cell.h"
 #include "viz/noise/panel.h"
@@ -14,7 +16,11 @@ struct NoiseLook {
   double extent = 4;            ///< Of what is shown along each side.
   double slice = 0.5;           ///< z
   glm::dvec2 point{1.6, 1.35};  ///< Whose cell is explained; in lattice cells.
-  double unit = 1;              ///< Pixels of the picture for each unit of the canvas.
+  std::optional<double> azimuth = std::nullopt,
+                        elevation =
+                            std::nullopt;  ///< Of what is in space, as of all cameras; not given: near the usual.
+  double zoom = 1;
+  double unit = 1;  ///< Pixels of the picture for each unit of the canvas.
 };
 
 /// Values as colors, with their scale.

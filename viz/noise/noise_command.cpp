@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <optional>
 
@@ -11,7 +10,6 @@
 #include "viz/noise/noise_data.h"
 #include "viz/noise/noise_picture.h"
 #include "viz/noise/noise_window.h"
-#include "viz/view_options.h"
 #include "viz/virtual_screen.h"
 
 namespace sightline::viz {
@@ -35,8 +33,7 @@ Examples
   sightline-view noise --fractal fbm --warp 0.5 --out fbm.png --out fbm.vti
       a sheet, and the values of a cube for ParaView
 
-In the window: drag to turn what is in space; Left and Right move the slice, Space takes the next seed, E the other
-ease, 1 to 8 show one panel and 0 all, Q closes.)";
+In the window, H shows the keys.)";
 
 std::optional<double> number(std::string_view text) {
   double value = 0;
@@ -73,7 +70,7 @@ std::optional<NoisePanel> parse_panel(const std::string& text) {
 }
 
 bool is_data(const std::string& out) {
-  const std::string extension = std::filesystem::path(out).extension().string();
+  const std::string extension = extension_of(out);
   if (extension != ".png" && extension != ".vti")
     refuse("--out", out, "a name that ends in .png (picture) or .vti (values of a cube)");
   return extension == ".vti";
@@ -81,7 +78,8 @@ bool is_data(const std::string& out) {
 
 }  // namespace
 
-NoiseCommand::NoiseCommand(CLI::App& program) : command_(program.add_subcommand("noise", about)), field_(*command_) {
+NoiseCommand::NoiseCommand(CLI::App& program)
+    : command_(program.add_subcommand("noise", about)), field_(*command_), camera_(*command_) {
   command_
       ->add_option("--show", panel_,
                    "One panel instead of the sheet, by its name: slice, gradients, lattice, ease,\n"
@@ -93,19 +91,20 @@ NoiseCommand::NoiseCommand(CLI::App& program) : command_(program.add_subcommand(
       ->option_text("X,Y");
   command_->add_option("--size", size_, "Of the picture or window in pixels; default 1600x1000")
       ->option_text("WIDTHxHEIGHT");
-  command_->add_option("--out", outs_, "A .png or .vti file instead of a window; may be repeated")
-      ->option_text("FILE")
-      ->expected(1)
-      ->take_all();
+  add_outs(*command_, outs_, ".png or .vti");
 }
 
-int NoiseCommand::run() const {
+int NoiseCommand::run(WindowFrame* frame) const {
   const PictureSize size = parse_size_of<NoisePicture>(size_);
   if (!(extent_ >= 0.01 && extent_ <= 1000)) refuse("--extent", std::to_string(extent_), "0.01 to 1000");
   NoiseLook look{NoiseField(field_.options())};
   look.extent = extent_;
   look.slice = parse_height(slice_);
   look.point = parse_point(point_);
+  camera_.check();
+  if (camera_.has_azimuth()) look.azimuth = camera_.azimuth();
+  if (camera_.has_elevation()) look.elevation = camera_.elevation();
+  look.zoom = camera_.zoom();
   const NoisePicture picture{look, parse_panel(panel_), size.width, size.height};
   bool has_picture = false;
   for (const std::string& out : outs_) {
@@ -118,8 +117,7 @@ int NoiseCommand::run() const {
     if (!has_display()) {
       throw ScreenError("no display to open a window on; write a file instead: --out FILE.png or .vti");
     }
-    open_noise_window(picture);
-    return 0;
+    return open_window<NoiseWindow>(frame, std::shared_ptr<const void>(), picture, std::cout);
   }
   Progress progress;
   for (const std::string& out : outs_) {

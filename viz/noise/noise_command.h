@@ -1,12 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <string>
-#include <vector>
-
+#include "viz/command_options.h"
 #include "viz/noise_tool/field_flags.h"
 
 namespace sightline::viz {
+
+class WindowFrame;
 
 /// `sightline-view noise`: its options, and what it does.
 class NoiseCommand {
@@ -15,11 +14,12 @@ class NoiseCommand {
 
   bool is_chosen() const { return command_->parsed(); }
   /// The exit status. \throws UsageError, std::invalid_argument, FileError, ScreenError
-  int run() const;
+  int run(WindowFrame* frame = nullptr) const;
 
  private:
   CLI::App* command_;
   noise_tool::FieldFlags field_;
+  CameraOptions camera_;
   std::string panel_, point_ = "1.6,1.35", size_ = "1600x1000", slice_ = "z=0.5";
   std::vector<std::string> outs_;
   double extent_ = 4;

@@ -36,13 +36,15 @@ void add_outline(vtkRenderer& renderer, vtkImageData* image) {
   renderer.AddActor(actor);
 }
 
-/// From the right, in front and above.
-void look_at(vtkRenderer& renderer) {
+/// From the right, in front and above, where the look does not say.
+void look_at(vtkRenderer& renderer, const NoiseLook& look) {
   vtkCamera& camera = *renderer.GetActiveCamera();
-  camera.SetPosition(0.7, 0.55, 1.4);
+  const Axes axes = axes_of(look);
+  camera.SetPosition(&axes.z[0]);
   camera.SetFocalPoint(0, 0, 0);
-  camera.SetViewUp(0, 1, 0);
+  camera.SetViewUp(&axes.y[0]);
   renderer.ResetCamera();
+  camera.Dolly(look.zoom);
   renderer.ResetCameraClippingRange();
 }
 
@@ -53,6 +55,10 @@ std::string level_text(double level) {
 }
 
 }  // namespace
+
+Axes axes_of(const NoiseLook& look) {
+  return axes_toward(look.azimuth.value_or(usual_azimuth), look.elevation.value_or(usual_elevation));
+}
 
 vtkSmartPointer<vtkImageData> image_of(const FieldCube& cube) {
   auto values = New<vtkFloatArray>::New();
@@ -89,7 +95,7 @@ vtkSmartPointer<vtkRenderer> isosurface_view(Canvas& canvas, const PanelFrame& p
     renderer->AddActor(actor);
   }
   add_outline(*renderer, image);
-  look_at(*renderer);
+  look_at(*renderer, look);
   return renderer;
 }
 
@@ -122,7 +128,7 @@ vtkSmartPointer<vtkRenderer> volume_view(Canvas& canvas, const PanelFrame& panel
   volume->SetProperty(property);
   renderer->AddVolume(volume);
   add_outline(*renderer, image);
-  look_at(*renderer);
+  look_at(*renderer, look);
   return renderer;
 }
 

@@ -4,8 +4,13 @@
 #include <vtkImageData.h>
 
 #include "viz/noise/chart_panels.h"
+#include "viz/space_camera.h"
 
 namespace sightline::viz {
+
+inline constexpr double usual_azimuth = 26.6, usual_elevation = 19.4;
+/// From where space is seen.
+Axes axes_of(const NoiseLook& look);
 
 vtkSmartPointer<vtkImageData> image_of(const FieldCube& cube);
 

@@ -11,7 +11,6 @@
 #include "sightline/io/progress.h"
 #include "sightline/query/workloads.h"
 #include "sightline/scene/scenes.h"
-#include "viz/view_options.h"
 #include "viz/virtual_screen.h"
 #include "viz/walk/coarse_mesh.h"
 #include "viz/walk/walk_data.h"
@@ -46,8 +45,7 @@ Examples
 enum class Form { png, json, vtp, gltf };
 
 Form form_of(const std::string& out) {
-  std::string extension = std::filesystem::path(out).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string extension = extension_of(out);
   if (extension == ".png") return Form::png;
   if (extension == ".json") return Form::json;
   if (extension == ".vtp") return Form::vtp;
@@ -55,33 +53,16 @@ Form form_of(const std::string& out) {
   refuse("--out", out, "a name that ends in .png (picture), .json, .vtp or .gltf (data)");
 }
 
-Ray<float> parse_ray(const std::string& option, const std::string& text) {
-  const auto v = finite_numbers(text, 6, ',');
-  if (!v) refuse(option, text, "OX,OY,OZ,DX,DY,DZ, six finite numbers: an origin and a direction");
-  const Ray<double> wide{{(*v)[0], (*v)[1], (*v)[2]}, {(*v)[3], (*v)[4], (*v)[5]}};
-  const Ray<float> ray{Vec3f(wide.origin), Vec3f(wide.direction)};
-  if (!is_valid(ray)) refuse(option, text, "numbers that are finite as floats, and a direction that is not zero");
-  return ray;
-}
-
-struct Pixel {
-  int x, y;
-};
-
 Pixel parse_pick(const std::string& text, const WalkLook& look) {
   const Panel space = look.layout().space;
   const double unit = look.layout().unit();
-  const auto at = finite_numbers(text, 2, ',');
-  const bool is_there = at && (*at)[0] == std::floor((*at)[0]) && (*at)[1] == std::floor((*at)[1]) &&
-                        space.contains(((*at)[0] + 0.5) / unit, ((*at)[1] + 0.5) / unit);
-  if (!is_there) {
-    const auto pixel = [&](double x) { return std::to_string(static_cast<int>(std::ceil(x * unit - 0.5))); };
-    const auto last = [&](double x) { return std::to_string(static_cast<int>(std::ceil(x * unit - 0.5)) - 1); };
-    refuse("--pick", text,
-           "X,Y, a pixel that shows the scene: X from " + pixel(space.x) + " to " + last(space.x + space.width) +
-               ", Y from " + pixel(space.y) + " to " + last(space.y + space.height));
-  }
-  return {static_cast<int>((*at)[0]), static_cast<int>((*at)[1])};
+  const auto at = pixel_in(text);
+  if (at && space.contains((at->x + 0.5) / unit, (at->y + 0.5) / unit)) return *at;
+  const auto pixel = [&](double x) { return std::to_string(static_cast<int>(std::ceil(x * unit - 0.5))); };
+  const auto last = [&](double x) { return std::to_string(static_cast<int>(std::ceil(x * unit - 0.5)) - 1); };
+  refuse("--pick", text,
+         "X,Y, a pixel that shows the scene: X from " + pixel(space.x) + " to " + last(space.x + space.width) +
+             ", Y from " + pixel(space.y) + " to " + last(space.y + space.height));
 }
 
 /// Negative ones count from the end.
@@ -93,11 +74,6 @@ std::size_t chosen_step(long long step, const WalkModel& model) {
                " counted from the end");
   }
   return static_cast<std::size_t>(step < 0 ? count + step : step);
-}
-
-std::string quoted(const std::string& text) {
-  const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:=,+";
-  return text.find_first_not_of(plain) == std::string::npos && !text.empty() ? text : "'" + text + "'";
 }
 
 void write_frames(const std::string& folder, std::size_t every, const WalkModel& model, const WalkLook& look,
@@ -113,19 +89,8 @@ void write_frames(const std::string& folder, std::size_t every, const WalkModel&
 }  // namespace
 
 WalkCommand::WalkCommand(CLI::App& program, const std::string& data_folder)
-    : command_(program.add_subcommand("walk", about)), data_(data_folder) {
+    : command_(program.add_subcommand("walk", about)), data_(data_folder), structure_(*command_), camera_(*command_) {
   command_->fallthrough();
-  command_->add_option("--accel", accelerator_, "The structure, see --list; default kd-tree")
-      ->option_text("NAME[:OPTION=VALUE,...]");
-  command_->add_option("--scene", scene_, "A scene of --list, with or without :SIZE, or a mesh file; default teapot")
-      ->option_text("SCENE");
-  command_->add_option("--set", settings_, "An option of the structure; may be repeated")
-      ->option_text("ACCEL.OPTION=VALUE")
-      ->expected(1)
-      ->take_all();
-  command_->add_option("--threads", threads_, "Threads to build with, to 1024; default 0: all")
-      ->check(CLI::Range(0, 1024))
-      ->option_text("N");
   auto* ray = command_->add_option("--ray", ray_, "Origin and direction; default across the middle")
                   ->option_text("OX,OY,OZ,DX,DY,DZ");
   command_->add_option("--pick", pick_, "The ray through a pixel of the picture instead, seen from aside")
@@ -142,19 +107,7 @@ WalkCommand::WalkCommand(CLI::App& program, const std::string& data_folder)
       ->take_all();
   command_->add_option("--size", size_, "Of the picture or window in pixels, from 960x540; default 1920x1080")
       ->option_text("WIDTHxHEIGHT");
-  command_->add_option("--azimuth", azimuth_, "Camera: degrees to the right of the front; default 24")
-      ->check(CLI::Range(-360.0, 360.0))
-      ->option_text("DEGREES");
-  command_->add_option("--elevation", elevation_, "Camera: degrees above the horizon; default 20")
-      ->check(CLI::Range(-90.0, 90.0))
-      ->option_text("DEGREES");
-  command_->add_option("--zoom", zoom_, "Camera: 1 shows everything, 2 comes twice as close")
-      ->check(CLI::Range(0.1, 100.0))
-      ->option_text("FACTOR");
-  command_->add_option("--out", outs_, "A .png, .json, .vtp or .gltf file instead of a window; may be repeated")
-      ->option_text("FILE")
-      ->expected(1)
-      ->take_all();
+  add_outs(*command_, outs_, ".png, .json, .vtp or .gltf");
   auto* frames =
       command_->add_option("--frames", frames_, "A folder that gets a picture of every step")->option_text("DIR");
   command_->add_option("--every", every_, "Of every so-manieth step")
@@ -167,14 +120,11 @@ WalkCommand::WalkCommand(CLI::App& program, const std::string& data_folder)
       ->group("");
 }
 
-int WalkCommand::run() const {
+int WalkCommand::run(WindowFrame* frame) const {
   const PictureSize size = parse_size_of<WalkLayout>(size_);
-  require_number("--azimuth", azimuth_);
-  require_number("--elevation", elevation_);
-  require_number("--zoom", zoom_);
-  WalkLook look{azimuth_, elevation_, zoom_, size.width, size.height};
-  AcceleratorSpec structure = parse_structure(accelerator_, settings_);
-  structure.settings.threads = threads_;
+  camera_.check();
+  WalkLook look{camera_.azimuth(), camera_.elevation(), camera_.zoom(), size.width, size.height};
+  const AcceleratorSpec structure = structure_.structure();
   std::optional<Ray<float>> ray;
   std::optional<Pixel> pixel;
   std::vector<Ray<float>> earlier;
@@ -197,10 +147,10 @@ int WalkCommand::run() const {
   if (needs_screen) screen.emplace();
 
   Progress progress;
-  progress.say("reading " + scene_);
-  const auto mesh = load_scene(scene_, data_);
+  progress.say("reading " + structure_.scene());
+  const auto mesh = load_scene(structure_.scene(), data_);
   progress.say("building " + structure.label);
-  const auto tracer = make_tracer(structure.accelerator, mesh, structure.settings);
+  const std::shared_ptr<const Tracer> tracer = make_tracer(structure.accelerator, mesh, structure.settings);
   const auto start = std::chrono::steady_clock::now();
   for (const auto& rays : {random_rays(mesh->bounds(), after_, 1), earlier}) {
     std::vector<Hit<float>> hits(rays.size());
@@ -215,11 +165,10 @@ int WalkCommand::run() const {
     ray = ray_through_pixel(usual, look, pixel->x, pixel->y);
     look.azimuth = std::fmod(look.azimuth + aside, 360);
   }
-  WalkModel model = model_of(*tracer, ray.value_or(usual_ray(mesh->bounds())));
+  WalkModel model = model_of(*tracer, ray ? *ray : usual_ray(*tracer));
   model.structure = structure.label;
-  model.scene = scene_;
-  model.command = "sightline-view walk --accel " + quoted(accelerator_) + " --scene " + quoted(scene_);
-  for (const std::string& setting : settings_) model.command += " --set " + quoted(setting);
+  model.scene = structure_.scene();
+  model.command = "sightline-view walk" + structure_.text();
   if (after_ > 0) model.command += " --after " + std::to_string(after_);
   for (const Ray<float>& before : earlier) model.command += " --earlier=" + text_of(before);
   const std::size_t step = chosen_step(step_, model);
@@ -233,8 +182,7 @@ int WalkCommand::run() const {
   }
   if (is_window) {
     progress.clear();
-    WalkWindow(model, step, look, std::cout).run();
-    return 0;
+    return open_window<WalkWindow>(frame, tracer, model, step, look, std::cout);
   }
   TriangleMesh coarse;
   if (needs_screen) coarse = coarse_mesh(*mesh, most_picture_triangles);
@@ -259,7 +207,7 @@ int WalkCommand::run() const {
   progress.clear();
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   std::fprintf(stderr, "%s on %s: step %zu of 0 to %zu, %.1f s after building\n", structure.label.c_str(),
-               scene_.c_str(), step, model.last_step(), taken.count());
+               structure_.scene().c_str(), step, model.last_step(), taken.count());
   return 0;
 }
 

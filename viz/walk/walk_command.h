@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <string>
-#include <vector>
+#include "viz/command_options.h"
 
 namespace sightline::viz {
+
+class WindowFrame;
 
 /// `sightline-view walk`: its options, and what it does.
 class WalkCommand {
@@ -14,17 +14,18 @@ class WalkCommand {
 
   bool is_chosen() const { return command_->parsed(); }
   /// The exit status. \throws UsageError, std::invalid_argument, FileError, ScreenError
-  int run() const;
+  int run(WindowFrame* frame = nullptr) const;
 
  private:
   CLI::App* command_;
   const std::string& data_;
-  std::string accelerator_ = "kd-tree", scene_ = "teapot", ray_, pick_, size_ = "1920x1080", frames_;
-  std::vector<std::string> settings_, earlier_, outs_;
-  int threads_ = 0, benchmark_ = 0;
+  StructureOptions structure_;
+  CameraOptions camera_;
+  std::string ray_, pick_, size_ = "1920x1080", frames_;
+  std::vector<std::string> earlier_, outs_;
+  int benchmark_ = 0;
   long long step_ = -1;
   std::size_t every_ = 1, after_ = 0;
-  double azimuth_ = 24, elevation_ = 20, zoom_ = 1;
 };
 
 }  // namespace sightline::viz

@@ -1,7 +1,8 @@
 #include "viz/walk/walk_model.h"
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
+#include <numbers>
 #include <unordered_set>
 
 namespace sightline::viz {
@@ -61,16 +62,37 @@ Ray<float> usual_ray(const Aabb& bounds) {
   return {from, to - from};
 }
 
-std::string text_of(const Ray<float>& ray) {
-  std::string text;
-  for (const Vec3f& v : {ray.origin, ray.direction}) {
-    for (int axis = 0; axis < 3; ++axis) {
-      char digits[32];
-      const auto end = std::to_chars(digits, digits + sizeof digits, v[axis]).ptr;
-      text += (text.empty() ? "" : ",") + std::string(digits, end);
+/// Around the middle, ring by ring; in the end toward triangles themselves, of which any is the first met at least
+/// once.
+Ray<float> usual_ray(const Tracer& tracer) {
+  const TriangleMesh& mesh = tracer.mesh();
+  const Ray<float> middle = usual_ray(mesh.bounds());
+  if (mesh.size() == 0) return middle;
+  const std::shared_ptr<const TriangleMesh> borrowed(std::shared_ptr<void>(), &mesh);
+  const auto other = tracer.is_lazy() ? make_tracer("box-tree", borrowed) : nullptr;
+  const auto is_hit = [&](const Ray<float>& ray) {
+    Hit<float> hit;
+    (other ? *other : tracer).closest_hits(std::span(&ray, 1), std::span(&hit, 1));
+    return hit.is_hit();
+  };
+  if (is_hit(middle)) return middle;
+  const Vec3d along(middle.direction), extent(mesh.bounds().extent());
+  const Vec3d right = glm::normalize(Vec3d(-along.z, 0, along.x)), up = glm::normalize(glm::cross(right, along));
+  constexpr int rings = 16, spokes = 24;
+  for (int ring = 1; ring <= rings; ++ring) {
+    for (int spoke = 0; spoke < spokes; ++spoke) {
+      const double angle = 2 * std::numbers::pi * spoke / spokes, radius = 0.5 * glm::length(extent) * ring / rings;
+      const Ray<float> ray{middle.origin, Vec3f(along + radius * (std::cos(angle) * right + std::sin(angle) * up))};
+      if (is_hit(ray)) return ray;
     }
   }
-  return text;
+  constexpr std::size_t most = 1000;
+  for (std::size_t i = 0; i < mesh.size(); i += 1 + mesh.size() / most) {
+    const auto [a, b, c] = mesh[static_cast<std::uint32_t>(i)];
+    const Ray<float> ray{middle.origin, Vec3f((Vec3d(a) + Vec3d(b) + Vec3d(c)) / 3.0 - Vec3d(middle.origin))};
+    if (is_valid(ray) && is_hit(ray)) return ray;
+  }
+  return middle;
 }
 
 }  // namespace sightline::viz

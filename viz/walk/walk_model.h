@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "viz/command_text.h"
 #include "viz/walk/walk_layout.h"
 
 namespace sightline::viz {
@@ -33,8 +34,7 @@ Stretch shown_stretch(const Aabb& bounds, const Ray<float>& ray);
 
 /// From the left in front and a little above, across the middle.
 Ray<float> usual_ray(const Aabb& bounds);
-
-/// "0.5,1,2,0,0,-1", each number in the shortest digits that are read back as the same.
-std::string text_of(const Ray<float>& ray);
+/// The same, where it meets nothing another from there that hits. Does not make a lazy structure grow.
+Ray<float> usual_ray(const Tracer& tracer);
 
 }  // namespace sightline::viz

@@ -216,29 +216,4 @@ void draw_labels(Canvas& canvas, const WalkLayout& layout, const WalkModel& mode
   }
 }
 
-void draw_help(Canvas& canvas, const WalkLayout& layout) {
-  constexpr std::array<std::pair<const char*, const char*>, 12> keys = {
-      {{"Right, Left", "one step on, one back"},
-       {"PageDown, PageUp", "the next leaf, the last one"},
-       {"End, Home", "the last step, the first"},
-       {"Space", "plays, and stops"},
-       {"drag", "turns the view"},
-       {"wheel, + and -", "closer and farther"},
-       {"click in space", "the ray through that pixel; the view turns aside"},
-       {"click on a cell", "the step that opens or culls it, in hierarchy and treemap"},
-       {"click on a tick", "that step"},
-       {"R", "the first ray and view"},
-       {"S", "prints the command that gives this picture"},
-       {"H; Q", "shows and hides this; closes"}}};
-  constexpr double line = 32, width = 860, height = line * double(keys.size()) + 40;
-  const double x = (layout.width() - width) / 2, y = (layout.height() - height) / 2;
-  canvas.rectangle({x, y}, width, height, {1, 1, 1});
-  frame(canvas, {x, y, width, height}, 2, ink);
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const double at = y + 36 + double(i) * line;
-    canvas.text({x + 30, at}, keys[i].first, {medium, ink, Align::left, true});
-    canvas.text({x + 250, at}, keys[i].second, {medium, ink});
-  }
-}
-
 }  // namespace sightline::viz

@@ -19,7 +19,4 @@ void draw_panels(Canvas& canvas, const WalkLayout& layout, const WalkModel& mode
 void draw_labels(Canvas& canvas, const WalkLayout& layout, const WalkModel& model, std::size_t step,
                  const SpaceCamera& camera);
 
-/// The keys, over everything.
-void draw_help(Canvas& canvas, const WalkLayout& layout);
-
 }  // namespace sightline::viz

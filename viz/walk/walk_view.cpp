@@ -1,7 +1,6 @@
 #include "viz/walk/walk_view.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "viz/partition_picture.h"
 
@@ -18,12 +17,6 @@ vtkSmartPointer<vtkRenderer> add_layer(vtkRenderWindow& window, int layer) {
   return renderer;
 }
 
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
-
 }  // namespace
 
 SpaceCamera WalkLook::camera(const WalkModel& model) const {
@@ -33,13 +26,9 @@ SpaceCamera WalkLook::camera(const WalkModel& model) const {
 
 std::string command_of(const WalkModel& model, std::size_t step, const WalkLook& look) {
   const WalkLook usual;
-  std::string text = model.command + " --ray=" + text_of(model.walk.ray) + " --step " + std::to_string(step);
-  if (look.azimuth != usual.azimuth) text += " --azimuth " + number(look.azimuth);
-  if (look.elevation != usual.elevation) text += " --elevation " + number(look.elevation);
-  if (look.zoom != usual.zoom) text += " --zoom " + number(look.zoom);
-  if (look.width != usual.width || look.height != usual.height) {
-    text += " --size " + std::to_string(look.width) + "x" + std::to_string(look.height);
-  }
+  std::string text = model.command + " --ray=" + text_of(model.walk.ray) + " --step " + std::to_string(step) +
+                     camera_text(look.azimuth, look.elevation, look.zoom);
+  if (look.width != usual.width || look.height != usual.height) text += size_text(look.width, look.height);
   return text;
 }
 
@@ -67,7 +56,7 @@ WalkView::WalkView(vtkRenderWindow& window, const TriangleMesh& coarse, std::siz
   labels_ = add_layer(window, 2);
 }
 
-void WalkView::show(const WalkModel& model, std::size_t step, const WalkLook& look, bool has_help) {
+void WalkView::show(const WalkModel& model, std::size_t step, const WalkLook& look) {
   const WalkLayout layout = look.layout();
   Canvas flat(layout.height(), scale_ * layout.unit());
   draw_panels(flat, layout, model, step, {drawn_, command_of(model, step, look)});
@@ -77,11 +66,6 @@ void WalkView::show(const WalkModel& model, std::size_t step, const WalkLook& lo
   space_.show(model, step, axes_toward(look.azimuth, look.elevation));
   turn(model, step, look);
   flat_->DrawOn();
-  if (!has_help) return;
-  labels_->RemoveAllViewProps();
-  Canvas help(layout.height(), scale_ * layout.unit());
-  draw_help(help, layout);
-  help.add_to(*labels_);
 }
 
 void WalkView::turn(const WalkModel& model, std::size_t step, const WalkLook& look) {

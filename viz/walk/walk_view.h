@@ -27,7 +27,7 @@ class WalkView {
   /// `whole` triangles are drawn as those of `coarse`.
   WalkView(vtkRenderWindow& window, const TriangleMesh& coarse, std::size_t whole, double scale);
 
-  void show(const WalkModel& model, std::size_t step, const WalkLook& look, bool has_help = false);
+  void show(const WalkModel& model, std::size_t step, const WalkLook& look);
   /// The same from elsewhere: what is flat stays.
   void turn(const WalkModel& model, std::size_t step, const WalkLook& look);
 

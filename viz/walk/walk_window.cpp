@@ -2,31 +2,50 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ostream>
 
 #include "viz/walk/coarse_mesh.h"
+#include "viz/walk/walk_picture.h"
 
 namespace sightline::viz {
 namespace {
-
-template <class T>
-using New = vtkSmartPointer<T>;
 
 constexpr unsigned long tick_length = 250;  // milliseconds
 
 }  // namespace
 
-WalkWindow::WalkWindow(const WalkModel& model, std::size_t step, const WalkLook& look, std::ostream& commands)
-    : InteractiveWindow("walk " + model.structure + " on " + model.scene, look.width, look.height, 0),
+WalkWindow::WalkWindow(const WalkModel& model, std::size_t step, const WalkLook& look, std::ostream& commands,
+                       WindowFrame* frame)
+    : InteractiveWindow({.name = "walk",
+                         .title = "walk " + model.structure + " on " + model.scene,
+                         .width = look.width,
+                         .height = look.height,
+                         .samples = 0},
+                        frame, commands),
       model_(model),
       first_model_(model),
       step_(step),
       first_step_(step),
       look_(look),
       first_look_(look),
-      commands_(commands),
       view_(window(), coarse_mesh(model.tracer->mesh(), most_triangles), model.tracer->mesh().size(), 1) {
   show();
+}
+
+std::vector<WindowKey> WalkWindow::keys() const {
+  return {{"Right, Left", "one step on, one back"},
+          {"PageDown, PageUp", "the next leaf, the last one"},
+          {"End, Home", "the last step, the first"},
+          {"Space", "plays, and stops"},
+          {"drag", "turns the view"},
+          {"wheel, + and -", "closer and farther"},
+          {"click in space", "the ray through that pixel; the view turns aside"},
+          {"click on a cell", "the step that opens or culls it, in hierarchy and treemap"},
+          {"click on a tick", "that step"},
+          {"R", "the first ray and view"}};
+}
+
+void WalkWindow::write_png(const std::filesystem::path& path) const {
+  write_walk_png(path, model_, step_, look_, coarse_mesh(model_.tracer->mesh(), most_picture_triangles));
 }
 
 void WalkWindow::answer_key(const std::string& key) {
@@ -51,11 +70,6 @@ void WalkWindow::answer_key(const std::string& key) {
     zoom(1.15);
   } else if (key == "minus" || key == "KP_Subtract") {
     zoom(1 / 1.15);
-  } else if (key == "h" || key == "H") {
-    has_help_ = !has_help_;
-    show();
-  } else if (key == "s" || key == "S") {
-    commands_ << command_of(model_, step_, look_) << std::endl;
   } else if (key == "r" || key == "R") {
     model_ = first_model_, step_ = first_step_;
     const int width = look_.width, height = look_.height;
@@ -85,7 +99,7 @@ void WalkWindow::go_to(std::size_t step) {
 /// The window's rows count from below, where the picture's last one is.
 Canvas::Point WalkWindow::hand_at() const {
   const double unit = look_.layout().unit();
-  const int* at = interactor().GetEventPosition();
+  const auto at = hand();
   return {(at[0] + 0.5) / unit, (look_.height - 0.5 - at[1]) / unit};
 }
 
@@ -119,18 +133,18 @@ void WalkWindow::move() {
   hand_ = Hand::turning;
   from_ = at;
   constexpr double degrees = 0.4;  // for one unit
-  look_.azimuth = std::fmod(look_.azimuth - degrees * right, 360);
-  look_.elevation = std::clamp(look_.elevation - degrees * up, -90.0, 90.0);
+  look_.azimuth = rounded(std::fmod(look_.azimuth - degrees * right, 360), 10);
+  look_.elevation = std::clamp(rounded(look_.elevation - degrees * up, 10), -90.0, 90.0);
   view_.turn(model_, step_, look_);
-  window().Render();
+  render();
 }
 
 void WalkWindow::release() {
-  const Hand hand = hand_;
+  const Hand was = hand_;
   hand_ = Hand::idle;
-  if (hand == Hand::turning) return show();
-  if (hand != Hand::holding) return;
-  const int* at = interactor().GetEventPosition();
+  if (was == Hand::turning) return show();
+  if (was != Hand::holding) return;
+  const auto at = hand();
   if (const auto ray = ray_through_pixel(model_, look_, at[0], look_.height - 1 - at[1])) choose(*ray);
 }
 
@@ -145,22 +159,21 @@ void WalkWindow::choose(const Ray<float>& ray) {
 // ---- The view
 
 void WalkWindow::zoom(double factor) {
-  look_.zoom = std::clamp(look_.zoom * factor, 0.1, 100.0);
+  look_.zoom = std::clamp(rounded(look_.zoom * factor, 1000), 0.1, 100.0);
   show();
 }
 
 /// The picture grows and shrinks with the window.
 void WalkWindow::fit() {
-  const int width = std::max(window().GetSize()[0], WalkLayout::lowest_width);
-  const int height = std::max(window().GetSize()[1], WalkLayout::lowest_height);
+  const auto [width, height] = area_for<WalkLayout>();
   if (width == look_.width && height == look_.height) return;
   look_.width = width, look_.height = height;
   show();
 }
 
 void WalkWindow::show() {
-  view_.show(model_, step_, look_, has_help_);
-  window().Render();
+  view_.show(model_, step_, look_);
+  render();
 }
 
 }  // namespace sightline::viz

@@ -54,27 +54,14 @@ std::vector<AcceleratorSpec> parse_structures(const std::string& text, const std
   throw UsageError(error.what());
 }
 
-Ray<float> parse_ray(const std::string& text) {
-  const auto v = finite_numbers(text, 6, ',');
-  if (!v) refuse("--ray", text, "OX,OY,OZ,DX,DY,DZ, six finite numbers: an origin and a direction");
-  const Ray<float> ray{Vec3f((*v)[0], (*v)[1], (*v)[2]), Vec3f((*v)[3], (*v)[4], (*v)[5])};
-  if (!is_valid(ray)) refuse("--ray", text, "a direction that is not zero, and numbers that a float holds");
-  return ray;
-}
-
-struct Pixel {
-  int x, y;
-};
-
 Pixel parse_pick(const std::string& text, const PictureSize& size) {
-  const auto v = finite_numbers(text, 2, ',');
-  const auto is_place = [](double value, int end) { return value >= 0 && value < end && value == std::floor(value); };
-  if (!v || !is_place((*v)[0], size.width) || !is_place((*v)[1], size.height)) {
+  const auto at = pixel_in(text);
+  if (!at || at->x < 0 || at->x >= size.width || at->y < 0 || at->y >= size.height) {
     refuse("--pick", text,
            "X,Y, a pixel of the picture: X from 0 to " + std::to_string(size.width - 1) + ", Y from 0 to " +
                std::to_string(size.height - 1));
   }
-  return {static_cast<int>((*v)[0]), static_cast<int>((*v)[1])};
+  return *at;
 }
 
 void print_walks(const WebModel& model) {
@@ -161,7 +148,7 @@ int PageCommand::run() const {
     throw UsageError("--ray and --pick: expected at most " + std::to_string(most_rays) + " rays");
   }
   std::vector<WebRay> rays;
-  for (const std::string& ray : rays_) rays.push_back({"--ray " + ray, parse_ray(ray)});
+  for (const std::string& ray : rays_) rays.push_back({"--ray " + ray, parse_ray("--ray", ray)});
   for (const std::string& pick : picks_) parse_pick(pick, size);
   if (!has_web_library()) web_page({});  // says what is missing
   { const OutputFile check(html_); }     // says now whether it can be written
