@@ -10,7 +10,7 @@ namespace sightline::viz {
 namespace {
 
 constexpr double tab_width = 152, tab_left = 8, text_size = 15;
-constexpr int samples = 0;  // what is flat stays in the window while a walk turns, which samples would not
+constexpr int samples = 8;  // a pixel
 
 }  // namespace
 
@@ -45,7 +45,8 @@ void OneWindow::draw(Canvas& canvas, int width) const {
                 {text_size, is_shown ? ink : soft_ink, Canvas::Align::left, is_shown});
     right = x + tab_width;
   }
-  const std::string text = !message_.empty() ? message_ : "A: " + state_.accelerator + "   H: keys";
+  const std::string structure = page_infos[page_].has_structure ? "A: " + state_.accelerator + "    " : "";
+  const std::string text = !message_.empty() ? message_ : structure + "H: keys";
   const Canvas::TextStyle style{text_size, message_.empty() ? soft_ink : accent, Canvas::Align::right};
   canvas.text({width - 12.0, height / 2.0 + 2}, canvas.shortened(text, style, width - right - 20), style);
 }
