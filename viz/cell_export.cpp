@@ -46,18 +46,13 @@ void write_vtp(const std::filesystem::path& path, const Partition& partition) {
   file.commit();
 }
 
-void write_gltf(const std::filesystem::path& path, const Partition& partition, const TriangleMesh& mesh) {
+void write_gltf(const std::filesystem::path& path, const TriangleMesh& mesh, std::span<const ColoredLines> lines) {
   OutputFile file(path);
-  const Coloring coloring(partition);
-  std::map<int, std::vector<Cell>> levels;
-  for (const Cell& cell : partition.cells) levels[coloring.level_of(cell)].push_back(cell);
-
   auto renderer = New<vtkRenderer>::New();
   add_actor(*renderer, mesh_surface(mesh), {0.84, 0.83, 0.81});
-  for (const auto& [level, cells] : levels) {
-    auto outlines = cell_outlines(cells);
-    outlines->GetCellData()->Initialize();  // the format has no place for it
-    add_actor(*renderer, outlines, coloring.color(level));
+  for (const ColoredLines& each : lines) {
+    each.lines->GetCellData()->Initialize();  // the format has no place for it
+    add_actor(*renderer, each.lines, each.color);
   }
   // The exporter reads the scene from a window, which is made but never opened.
   auto window = New<vtkRenderWindow>::New();
@@ -70,6 +65,15 @@ void write_gltf(const std::filesystem::path& path, const Partition& partition, c
   exporter->SetFileName(file.temporary().c_str());
   exporter->Write();
   file.commit();
+}
+
+void write_gltf(const std::filesystem::path& path, const Partition& partition, const TriangleMesh& mesh) {
+  const Coloring coloring(partition);
+  std::map<int, std::vector<Cell>> levels;
+  for (const Cell& cell : partition.cells) levels[coloring.level_of(cell)].push_back(cell);
+  std::vector<ColoredLines> lines;
+  for (const auto& [level, cells] : levels) lines.push_back({cell_outlines(cells), coloring.color(level)});
+  write_gltf(path, mesh, lines);
 }
 
 }  // namespace sightline::viz

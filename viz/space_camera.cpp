@@ -55,7 +55,10 @@ void SpaceCamera::aim(vtkCamera& camera) const {
 
 SpaceCamera fit_camera(const Axes& axes, std::span<const Vec3d> points, double aspect, double zoom) {
   const double right_slope = up_slope() * aspect;
-  Vec3d middle(0);
+  Vec3d lo(1e300), hi(-1e300);
+  for (const Vec3d& p : points) lo = glm::min(lo, p), hi = glm::max(hi, p);
+  // From the origin, what is far from it would be drawn small: the margin is a share of the distance.
+  Vec3d middle = points.empty() ? Vec3d(0) : 0.5 * (lo + hi);
   double distance = 1;
   for (int round = 0; round < 4; ++round) {
     distance = 0;

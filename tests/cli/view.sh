@@ -37,8 +37,8 @@ expect_exit 0
 expect_quiet
 for word in --scene --select --drag --time --frames --bounds --level --out Examples bubble; do expect_prints "$word"; done
 
-refuses 2 help "$view"
-refuses 2 subcommand "$view"
+refuses 1 'no display' "$view"
+refuses 1 'no display' "$view" --scene teapot:3 --accel bih --page noise
 refuses 2 subcommand "$view" nothing
 refuses 2 --no-such-option "${partitions[@]}" --no-such-option --out a.vtp
 refuses 2 NAME "$view" partitions --accel '' --out a.vtp
@@ -217,6 +217,41 @@ run "$view" graph --scene rocket --time 0:3 --frames 3
 expect_exit 0
 expect_says 'no display'
 expect_prints 't = 1.5 s'
+
+# Pages: without a subcommand, the file of one is what its subcommand writes.
+run "$view" window --help
+expect_exit 0
+expect_quiet
+for word in --page --accel --scene --ray --pick --out F8 Examples; do expect_prints "$word"; done
+pages=("$view" --scene teapot:3 --accel box-tree)
+refuses 2 'one of partitions, walk, build, heat, compare, csg, noise, graph' "${pages[@]}" --page tree --out a.png
+refuses 2 'walk, heat or compare' "${pages[@]}" --page noise --ray 0,0,9,0,0,-1 --out a.png
+refuses 2 'six finite numbers' "${pages[@]}" --ray 1,2 --out a.json
+refuses 2 excludes "${pages[@]}" --ray 0,0,9,0,0,-1 --pick 4,4 --out a.json
+refuses 2 max_leaf_size "${pages[@]}" --set box-tree.max_leaf_size=-1 --out a.png
+refuses 2 'at least 1200x751' "${pages[@]}" --size 800x600
+refuses 2 brute-force "$view" --accel brute-force --page build --out a.json
+refuses 1 /dev/null "${pages[@]}" --out /dev/null/a.png
+run "${pages[@]}" --ray=-9,1.5,0.2,1,0,0 --out a.json
+expect_exit 0
+run_again "$view" walk --scene teapot:3 --accel box-tree --ray=-9,1.5,0.2,1,0,0 --out b.json
+expect_exit 0
+check 'a page and its subcommand to be the same' cmp -s "$work/a.json" "$work/b.json"
+run "${pages[@]}" --out a.vtp
+expect_exit 0
+run_again "$view" partitions --scene teapot:3 --accel box-tree --out b.vtp
+expect_exit 0
+check 'the first page to be partitions' cmp -s "$work/a.vtp" "$work/b.vtp"
+
+refuses 2 'one structure, found 2' "$view" heat --accel kd-tree,bih --out a.png
+refuses 2 --against "$view" heat --against kd-tree --out a.png
+run "$view" heat --scene teapot:3 --size 960x540 --out a.png --out a.json
+expect_exit 0
+expect_file a.png
+check 'figures of one structure' grep -q '"kd-tree"' "$work/a.json"
+run_again "$view" --page heat --scene teapot:3 --size 960x540 --out b.png
+expect_exit 0
+check 'the same map twice' cmp -s "$work/a.png" "$work/b.png"
 
 run "$view" compare --help
 expect_exit 0

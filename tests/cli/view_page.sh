@@ -28,7 +28,7 @@ refuses 2 bih "${soup[@]}" --accel kd-tree --set bih.max_leaf_size=8 --html a.ht
 refuses 2 six "${soup[@]}" --ray 1,2,3 --html a.html
 refuses 2 six "${soup[@]}" --ray 0,0,0,nan,0,1 --html a.html
 refuses 2 'not zero' "${soup[@]}" --ray 1,2,3,0,0,0 --html a.html
-refuses 2 'a float holds' "${soup[@]}" --ray 1e300,2,3,1,0,0 --html a.html
+refuses 2 'finite as floats' "${soup[@]}" --ray 1e300,2,3,1,0,0 --html a.html
 refuses 2 'X from 0 to 1199' "${soup[@]}" --pick 1200,5 --html a.html
 refuses 2 'Y from 0 to 299' "${soup[@]}" --size 400x300 --pick 7,300 --html a.html
 refuses 1 no-such-file.ply "$view" page --scene no-such-file.ply --html a.html

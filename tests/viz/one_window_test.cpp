@@ -169,13 +169,13 @@ TEST(CommandText, IsReadBack) {
 TEST(PageWords, KeepWhatAPageWasLeftWith) {
   PageState state{.accelerator = "bih", .scene = "dragon:3", .settings = {"kd-tree.max_depth=3", "bih.lazy=true"}};
   const PageInfo& build = page_infos[*page_named("build")];
-  const auto fresh = page_words(build, state, 1200, 700);
+  const auto fresh = page_words(build, state, "1200x700");
   EXPECT_EQ(fresh, (std::vector<std::string>{"build", "--accel=bih", "--scene=dragon:3", "--set=bih.lazy=true",
                                              "--size=1200x700"}));
   const std::vector<std::string> left{"build", "--accel", "bih", "--scene", "dragon:3", "--step", "7"};
-  EXPECT_EQ(value_in(page_words(build, state, 1200, 700, left), "--step"), "7");
+  EXPECT_EQ(value_in(page_words(build, state, "1200x700", left), "--step"), "7");
   state.accelerator = "kd-tree";
-  EXPECT_FALSE(value_in(page_words(build, state, 1200, 700, left), "--step"));
+  EXPECT_FALSE(value_in(page_words(build, state, "1200x700", left), "--step"));
 }
 
 }  // namespace

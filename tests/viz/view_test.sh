@@ -42,7 +42,7 @@ expect 2 "--size" "${cell[@]}" --size 0x0 --out "$folder/a.png"
 expect 2 "--out" "${cell[@]}" --out "$folder/a.bmp"
 expect 2 "--max-cells|max_cells" "${cell[@]}" --max-cells 0 --out "$folder/a.png"
 expect 2 "--accel" partitions --accel kd-tree,bih --scene teapot
-expect 2 "subcommand" 
+expect 1 "no display"
 expect 2 "." partitions --accel kd-tree --scene teapot --nonsense
 expect 2 "no-such-scene" partitions --accel kd-tree --scene no-such-scene --out "$folder/a.vtp"
 

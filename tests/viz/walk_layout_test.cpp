@@ -11,6 +11,7 @@
 #include "sightline/query/workloads.h"
 #include "sightline/scene/scenes.h"
 #include "viz/walk/coarse_mesh.h"
+#include "viz/walk/split_plane.h"
 #include "viz/walk/walk_model.h"
 
 namespace sightline::viz {
@@ -69,11 +70,9 @@ TEST_P(ShownWalk, CountersEndAsTheTraversals) {
     for (std::size_t step = 0; step <= model.last_step(); ++step) {
       const TraversalStats some = statistics_at(model.walk, step);
       EXPECT_EQ(some.nodes + some.leaves + some.candidates + some.culled, step + 1);
-      EXPECT_NE(
-          sentence_of(model.walk, step)
-              .find(std::to_string(model.walk.steps[step].kind == Kind::candidate ? model.walk.steps[step].triangle
-                                                                                  : model.walk.steps[step].node)),
-          std::string::npos);
+      const WalkStep& at = model.walk.steps[step];
+      const std::string number = at.kind == Kind::candidate ? std::to_string(at.triangle) : number_of_node(at.node);
+      EXPECT_NE(sentence_of(model.walk, step).find(number), std::string::npos);
     }
   }
 }
@@ -232,6 +231,54 @@ TEST(CoarseMesh, HasFewTrianglesInTheSamePlace) {
   const TriangleMesh thin = coarse_mesh(*soup, 1000);
   EXPECT_LE(thin.size(), 1000u);
   EXPECT_GE(thin.size(), 125u);
+}
+
+/// Children of what divides space fill their node: the face between two is one plane of all its points, within the
+/// node.
+TEST(SplitFaces, LieBetweenTheChildren) {
+  const auto mesh = load_scene("teapot:4", "");
+  for (const char* structure : {"kd-tree", "bsp-tree", "bih"}) {
+    const auto tracer = make_tracer(structure, mesh);
+    const Walk walk = record_walk(*tracer, usual_ray(*tracer));
+    const std::size_t most = std::string_view(structure) == "bih" ? 2 : 1;
+    std::size_t found = 0;
+    for (std::size_t step = 0; step < walk.steps.size(); ++step) {
+      const auto faces = split_faces(structure, walk, step);
+      found += !faces.empty();
+      EXPECT_LE(faces.size(), most) << structure << " step " << step;
+      for (const auto& face : faces) {
+        ASSERT_GE(face.size(), 3u);
+        for (const Vec3d& p : face) {
+          for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_GE(p[axis], mesh->bounds().lo[axis] - 1e-5);
+            EXPECT_LE(p[axis], mesh->bounds().hi[axis] + 1e-5);
+          }
+        }
+      }
+    }
+    EXPECT_GT(found, walk.steps.size() / 2) << structure;
+  }
+  const auto tracer = make_tracer("box-tree", mesh);
+  EXPECT_TRUE(split_faces("box-tree", record_walk(*tracer, usual_ray(*tracer)), 0).empty());
+}
+
+/// Wherever a scene is, and whatever it has in its middle.
+TEST(UsualRay, Hits) {
+  for (const char* scene : {"teapot:4", "soup:50", "sphere-flake:1", "stadium:4", "menger:1"}) {
+    const auto mesh = load_scene(scene, "");
+    for (const char* structure : {"kd-tree", "bih"}) {
+      const auto tracer = make_tracer(structure, mesh);
+      EXPECT_TRUE(record_walk(*tracer, usual_ray(*tracer)).hit.is_hit()) << structure << " on " << scene;
+    }
+  }
+  TracerSettings lazy;
+  lazy.options = {{"lazy", "true"}};
+  const auto tracer = make_tracer("bih", load_scene("teapot:4", ""), lazy);
+  std::size_t before = 0, after = 0;
+  tracer->for_each_cell([&](const Cell&) { ++before; });
+  usual_ray(*tracer);
+  tracer->for_each_cell([&](const Cell&) { ++after; });
+  EXPECT_EQ(before, after) << "looking for a ray is not asking for cells";
 }
 
 }  // namespace

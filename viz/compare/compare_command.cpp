@@ -197,9 +197,6 @@ CompareCommand::Plan CompareCommand::plan() const {
 
 int CompareCommand::run(WindowFrame* frame) const {
   Plan plan = this->plan();
-  if (outs_.empty() && !has_display()) {
-    throw ScreenError("no display to open a window on; write a file instead: --out FILE.png, .svg, .csv or .json");
-  }
   std::optional<PictureScreen> screen;
   if (plan.needs_screen) screen.emplace();
   Progress progress;
@@ -249,7 +246,11 @@ int CompareCommand::run(WindowFrame* frame) const {
   }
   progress.clear();
   if (!verdict.is_same) std::cerr << "sightline-view: " << verdict.text << '\n';
-  if (outs_.empty()) open_window<CompareWindow>(frame, held, session, look, width, height, std::cout);
+  if (outs_.empty() && !has_display()) {
+    std::cerr << "sightline-view: no display to open a window on; --out FILE.png writes the picture\n";
+  } else if (outs_.empty()) {
+    open_window<CompareWindow>(frame, held, session, look, width, height, std::cout);
+  }
   return verdict.is_same ? 0 : 1;
 }
 

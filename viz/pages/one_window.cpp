@@ -116,7 +116,8 @@ void OneWindow::open(std::size_t page) {
   const int* size = frame_.window().GetSize();
   const int room = size[1] - WindowBar::height - (info.tells_command ? 0 : WindowFrame::foot_height);
   std::vector<std::string> words = common_;
-  const std::vector<std::string> own = page_words(info, state_, size[0], room, former_[page]);
+  const std::vector<std::string> own =
+      page_words(info, state_, std::to_string(size[0]) + 'x' + std::to_string(room), former_[page]);
   words.insert(words.end(), own.begin(), own.end());
   const std::size_t before = std::exchange(page_, page);
   message_.clear();

@@ -50,7 +50,7 @@ std::optional<std::string> value_in(const std::vector<std::string>& words, const
   return std::nullopt;
 }
 
-std::vector<std::string> page_words(const PageInfo& page, const PageState& state, int width, int height,
+std::vector<std::string> page_words(const PageInfo& page, const PageState& state, const std::string& size,
                                     const std::vector<std::string>& former) {
   std::vector<std::string> words{std::string(page.name)};
   const bool has_ray = page.has_ray && state.ray;
@@ -78,7 +78,7 @@ std::vector<std::string> page_words(const PageInfo& page, const PageState& state
   set_number(page.has_camera, "--azimuth", state.azimuth);
   set_number(page.has_camera, "--elevation", state.elevation);
   set_number(page.has_zoom, "--zoom", state.zoom);
-  set(words, "--size", std::to_string(width) + 'x' + std::to_string(height));
+  if (!size.empty()) set(words, "--size", size);
   return words;
 }
 

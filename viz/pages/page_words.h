@@ -39,9 +39,9 @@ struct PageState {
   std::optional<double> azimuth = std::nullopt, elevation = std::nullopt, zoom = std::nullopt;
 };
 
-/// The words that open a page in a picture of this size. `former`, if there are any, are those that it was left with:
+/// The words that open a page, in a picture of this size (`1200x900`) unless that is empty. `former`, if there are any, are those that it was left with:
 /// they stay where structure, scene and ray are the same.
-std::vector<std::string> page_words(const PageInfo& page, const PageState& state, int width, int height,
+std::vector<std::string> page_words(const PageInfo& page, const PageState& state, const std::string& size,
                                     const std::vector<std::string>& former = {});
 
 /// The value of an option among words, "--ray=1" or "--ray" "1"; nothing where it is not there.

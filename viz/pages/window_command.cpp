@@ -74,7 +74,7 @@ int WindowCommand::run() const {
   const PictureSize size = outs_.empty() ? parse_size(size_, {lowest_width, lowest_height}) : parse_size(size_);
   if (!outs_.empty()) {
     std::vector<std::string> words = common;
-    const auto own = page_words(info, state, size.width, size.height);
+    const auto own = page_words(info, state, command_->count("--size") ? size_ : "");
     words.insert(words.end(), own.begin(), own.end());
     for (const std::string& out : outs_) words.insert(words.end(), {"--out", out});
     return run_(words, nullptr);

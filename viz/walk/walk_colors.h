@@ -9,6 +9,9 @@ namespace sightline::viz {
 inline constexpr Rgb orange{0.902, 0.624, 0}, sky{0.337, 0.706, 0.914}, blue{0, 0.447, 0.698},
     purple{0.8, 0.475, 0.655}, vermillion{0.835, 0.369, 0}, gray{0.6, 0.62, 0.66}, pale{0.86, 0.87, 0.89};
 
+/// Of the plane that divides a node.
+inline constexpr Rgb split_color{0, 0.62, 0.45};
+
 /// A color of this opacity on white.
 inline Rgb over_white(Rgb color, double opacity) {
   for (double& component : color) component = 1 - opacity * (1 - component);

@@ -1,6 +1,8 @@
 #include "viz/walk/walk_data.h"
 
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkPoints.h>
 #include <vtkUnsignedIntArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
@@ -10,6 +12,7 @@
 #include "sightline/io/output_file.h"
 #include "viz/cell_export.h"
 #include "viz/cell_geometry.h"
+#include "viz/walk/walk_colors.h"
 
 namespace sightline::viz {
 namespace {
@@ -127,7 +130,31 @@ void write_walk_vtp(const std::filesystem::path& path, const WalkModel& model, s
 }
 
 void write_walk_gltf(const std::filesystem::path& path, const WalkModel& model, std::size_t step) {
-  write_gltf(path, come_across(model, step), model.tracer->mesh());
+  const auto states = states_at(model.walk, step);
+  if (states.empty()) throw std::runtime_error("the ray meets no cell: there is nothing to write");
+  std::vector<ColoredLines> lines;
+  for (std::size_t state = 0; state < state_names.size(); ++state) {
+    std::vector<Cell> cells;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const bool is_shown = states[i] != CellState::unseen && static_cast<std::size_t>(states[i]) == state;
+      if (is_shown) cells.push_back(model.walk.cells[i].cell);
+    }
+    if (!cells.empty()) lines.push_back({cell_outlines(cells), color_of(static_cast<CellState>(state))});
+  }
+  const Ray<double> ray = to_double(model.walk.ray);
+  const Stretch shown = shown_stretch(model.tracer->mesh().bounds(), model.walk.ray);
+  const Vec3d from = ray.at(shown.from), to = ray.at(shown.to);
+  auto ends = vtkSmartPointer<vtkPoints>::New();
+  ends->InsertNextPoint(&from[0]);
+  ends->InsertNextPoint(&to[0]);
+  auto segment = vtkSmartPointer<vtkCellArray>::New();
+  const vtkIdType both[] = {0, 1};
+  segment->InsertNextCell(2, both);
+  auto way = vtkSmartPointer<vtkPolyData>::New();
+  way->SetPoints(ends);
+  way->SetLines(segment);
+  lines.push_back({way, ink});
+  write_gltf(path, model.tracer->mesh(), lines);
 }
 
 }  // namespace sightline::viz

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viz/partition_picture.h"
+#include "viz/walk/split_plane.h"
 #include "viz/walk/walk_colors.h"
 #include "viz/walk/walk_progress.h"
 
@@ -88,7 +89,7 @@ void draw_tree(Canvas& canvas, const WalkLayout& layout, const WalkModel& model,
   for (const auto& node : tree.nodes) {
     if (node.cell != current || model.walk.steps.empty()) continue;
     const bool is_right = node.x < layout.tree.x + 0.8 * layout.tree.width;
-    const std::string name = std::to_string(model.walk.cells[current].cell.node);
+    const std::string name = number_of_node(model.walk.cells[current].cell.node);
     const Canvas::TextStyle style{small, ink, is_right ? Align::left : Align::right, true};
     const double width = canvas.text_width(name, style), x = node.x + (is_right ? 1 : -1) * (tree.radius + 10);
     canvas.rectangle({is_right ? x - 3 : x - width - 3, node.y - 11}, width + 6, 22, {1, 1, 1}, 0.85);
@@ -141,6 +142,15 @@ void draw_legend(Canvas& canvas, const WalkLayout& layout, const WalkModel& mode
   };
   for (std::size_t i = 0; i < states.size(); ++i) {
     entry(p.y + 14, labels[i], [&](Canvas::Point at) { node_mark(canvas, at, 9, states[i], false); });
+  }
+  if (has_split_planes(model.tracer->name())) {
+    entry(p.y + 14, "split plane", [&](Canvas::Point at) {
+      const Canvas::Point a{at.x - 11, at.y - 8}, b{at.x + 11, at.y - 8}, c{at.x + 11, at.y + 8},
+          d{at.x - 11, at.y + 8};
+      for (const auto& [from, to] : {std::pair(a, b), {b, c}, {c, d}, {d, a}, {a, c}, {b, d}}) {
+        canvas.line(from, to, 2, split_color);
+      }
+    });
   }
   if (model.tracer->is_lazy()) {
     entry(p.y + 14, "made for this ray", [&](Canvas::Point at) {

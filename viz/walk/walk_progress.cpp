@@ -44,7 +44,7 @@ void draw_stack(Canvas& canvas, const Panel& p, const WalkModel& model, std::siz
     }
     const WalkStep& later = walk.steps[*walk.cells[pending[i]].opened];
     canvas.disc({p.x + 8, y}, 6, color_of(CellState::pending));
-    canvas.text({p.x + 22, y}, std::to_string(later.node), {small, ink});
+    canvas.text({p.x + 22, y}, number_of_node(later.node), {small, ink});
     canvas.text({p.x + 240, y}, text_of_t(later.t), {small, ink, Align::right});
   }
 }

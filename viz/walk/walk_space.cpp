@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "viz/cell_geometry.h"
+#include "viz/walk/split_plane.h"
 #include "viz/walk/walk_colors.h"
 
 namespace sightline::viz {
@@ -151,6 +152,12 @@ void WalkSpace::show(const WalkModel& model, std::size_t step, const Axes& axes)
   add_lines(dashed(*cell_outlines(made, axes.z), 0.012 * size_of(model)), ink, 1.2, 1);
   add_lines(outlines(CellState::pending), color_of(CellState::pending), 2, 0.9);
   add_lines(outlines(CellState::current), color_of(CellState::current), 3.6, 1);
+  Shapes3d planes;
+  for (const auto& face : split_faces(model.tracer->name(), model.walk, step)) {
+    for (std::size_t i = 0; i < face.size(); ++i) planes.line(face[i], face[(i + 1) % face.size()]);
+    if (face.size() == 4) planes.line(face[0], face[2]), planes.line(face[1], face[3]);
+  }
+  add_lines(planes.data(), split_color, 2.2, 1);
   add_candidates(model, step);
   add_ray(model, step);
   const auto& current = cells[static_cast<std::size_t>(CellState::current)];

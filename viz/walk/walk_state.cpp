@@ -1,6 +1,7 @@
 #include "viz/walk/walk_state.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 
@@ -20,8 +21,13 @@ std::string text_beside(double t, double other) {
   return std::isinf(t) || t == other ? text_of_t(t) : text;
 }
 
+constexpr std::uint32_t leaf_bit = 1u << 31;
+
+/// "node 12", "leaf 340"
+std::string name_of_node(std::uint32_t node) { return (node & leaf_bit ? "leaf " : "node ") + number_of_node(node); }
+
 std::string visit_sentence(const Walk& walk, const WalkStep& step, std::size_t cell) {
-  const std::string name = "node " + std::to_string(step.node), at = " at t = " + text_of_t(step.t);
+  const std::string name = name_of_node(step.node), at = " at t = " + text_of_t(step.t);
   const Cell& opened = walk.cells[cell].cell;
   const bool is_empty = opened.node != step.node || (opened.is_leaf && opened.range.count == 0);
   if (is_empty) return "Passes through an empty cell, " + name + "," + at + ".";
@@ -35,10 +41,9 @@ std::string visit_sentence(const Walk& walk, const WalkStep& step, std::size_t c
   const std::size_t shown = std::min(children.met.size(), most);
   for (std::size_t i = 0; i < shown; ++i) {
     const WalkStep& later = walk.steps[*walk.cells[children.met[i]].opened];
-    text += (i == 0                         ? "Node "
-             : i + 1 == children.met.size() ? " and node "
-                                            : ", node ") +
-            std::to_string(later.node) + " at " + text_of_t(later.t);
+    std::string name_of_child = name_of_node(later.node);
+    if (i == 0) name_of_child[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name_of_child[0])));
+    text += (i == 0 ? "" : i + 1 == children.met.size() ? " and " : ", ") + name_of_child + " at " + text_of_t(later.t);
   }
   if (children.met.size() > most) text += " and " + std::to_string(children.met.size() - most) + " more";
   text += children.met.size() > 1 ? " are met" : " is met";
@@ -126,7 +131,7 @@ double t_at(const Walk& walk, std::size_t step) {
 
 std::string sentence_of(const Walk& walk, std::size_t index) {
   const WalkStep& step = walk.steps.at(index);
-  const std::string name = std::to_string(step.node);
+  const std::string name = number_of_node(step.node);
   switch (step.kind) {
     case Kind::visit:
       return visit_sentence(walk, step, current_cell(walk, index));
@@ -138,11 +143,13 @@ std::string sentence_of(const Walk& walk, std::size_t index) {
     case Kind::candidate:
       return candidate_sentence(step, index > 0 ? walk.hit_at(index - 1) : Hit<float>());
     case Kind::cull:
-      return "Drops node " + name + " unopened: it begins at t = " + text_beside(step.t, step.far) +
+      return "Drops " + name_of_node(step.node) + " unopened: it begins at t = " + text_beside(step.t, step.far) +
              ", beyond the far limit " + text_beside(step.far, step.t) + ".";
   }
   return {};
 }
+
+std::string number_of_node(std::uint32_t node) { return std::to_string(node & ~leaf_bit); }
 
 std::string text_of_t(double t) {
   if (std::isinf(t)) return t > 0 ? "infinity" : "-infinity";

@@ -39,6 +39,9 @@ TraversalStats statistics_at(const Walk& walk, std::size_t step);
 /// How far along the ray the walk is: nothing beyond the far limit.
 double t_at(const Walk& walk, std::size_t step);
 
+/// A node's number as it is shown: of a kd-tree's leaf without the bit that says that it is one.
+std::string number_of_node(std::uint32_t node);
+
 /// What the step does.
 std::string sentence_of(const Walk& walk, std::size_t step);
 
