@@ -95,6 +95,7 @@ bool has_split_planes(std::string_view structure) { return std::ranges::find(div
 
 std::vector<std::vector<Vec3d>> split_faces(std::string_view structure, const Walk& walk, std::size_t step) {
   if (!has_split_planes(structure) || walk.steps.empty()) return {};
+  if (walk.steps[step].kind == WalkStep::Kind::cull) return {};  // it will not be known
   std::size_t cell = current_cell(walk, step);
   const auto is_opened = [&](std::size_t i) { return walk.cells[i].opened && *walk.cells[i].opened <= step; };
   while ((walk.cells[cell].cell.is_leaf || !is_opened(cell)) && walk.cells[cell].parent) {
