@@ -24,7 +24,7 @@ for line in "${commands[@]}"; do
   case "${words[*]:0:2} " in
     './sightline test ') words=("${words[@]:0:2}" --help) ;; # this is that command, and would run itself for ever
     './sightline tour ') [[ $line == *--out* ]] || words+=(--out tour) ;;
-    './sightline view ') [[ $line != *partitions* || $line == *--out* ]] || words+=(--out window.vtp) ;;
+    './sightline view ') [[ $line == *--out* || $line == *--html* ]] || words+=(--out window.vtp) ;;
     './sightline scenes ') [[ ${#words[@]} -gt 2 ]] || words+=(--out scenes --size 64x48)
       words=("${words[@]/#data\//$root/data/}") ;;
     './sightline render ' | './sightline plan ') words=("${words[@]/#data\//$root/data/}") ;;
