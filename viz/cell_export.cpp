@@ -16,22 +16,13 @@
 #include "sightline/io/output_file.h"
 #include "viz/cell_geometry.h"
 #include "viz/coloring.h"
+#include "viz/space_actor.h"
 
 namespace sightline::viz {
 namespace {
 
 template <class T>
 using New = vtkSmartPointer<T>;
-
-void add_actor(vtkRenderer& renderer, vtkPolyData* data, const Rgb& color) {
-  auto mapper = New<vtkPolyDataMapper>::New();
-  mapper->SetInputData(data);
-  mapper->ScalarVisibilityOff();
-  auto actor = New<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  renderer.AddActor(actor);
-}
 
 }  // namespace
 

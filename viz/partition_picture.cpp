@@ -20,6 +20,7 @@
 
 #include "viz/cell_geometry.h"
 #include "viz/overlay.h"
+#include "viz/space_actor.h"
 #include "viz/space_camera.h"
 #include "viz/window_image.h"
 
@@ -28,16 +29,6 @@ namespace {
 
 template <class T>
 using New = vtkSmartPointer<T>;
-
-vtkSmartPointer<vtkActor> add_actor(vtkRenderer& renderer, vtkPolyData* data) {
-  auto mapper = New<vtkPolyDataMapper>::New();
-  mapper->SetInputData(data);
-  mapper->ScalarVisibilityOff();
-  auto actor = New<vtkActor>::New();
-  actor->SetMapper(mapper);
-  renderer.AddActor(actor);
-  return actor;
-}
 
 bool is_round(const Cell& cell) {
   return std::holds_alternative<Sphere>(cell.region) || std::holds_alternative<Cylinder>(cell.region);

@@ -1,11 +1,13 @@
 #include "viz/window_image.h"
 
+#include <vtkSVGExporter.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <array>
 
 #include "sightline/io/image_file.h"
+#include "sightline/io/output_file.h"
 #include "viz/color_ramp.h"
 
 namespace sightline::viz {
@@ -50,6 +52,21 @@ void write_picture(const std::filesystem::path& path, int width, int height,
   show(*window, oversampling);
   window->Render();
   write_window(*window, oversampling, path);
+}
+
+void write_svg(const std::filesystem::path& path, vtkRenderer& renderer, int width, int height) {
+  OutputFile file(path);
+  auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(width, height);
+  window->AddRenderer(&renderer);
+  window->Render();
+  auto exporter = vtkSmartPointer<vtkSVGExporter>::New();
+  exporter->SetRenderWindow(window);
+  exporter->SetFileName(file.temporary().c_str());
+  exporter->Write();
+  file.commit();
 }
 
 }  // namespace sightline::viz

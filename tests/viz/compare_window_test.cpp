@@ -99,6 +99,26 @@ TEST(CompareWindow, AClickChoosesTheRayForAll) {
   EXPECT_EQ(three.printed(), "");
 }
 
+/// What is seen in an inset is asked from its camera: the middle of it is the hit that it shows.
+TEST(CompareWindow, AClickOnAnInsetChoosesWhatItShows) {
+  const VirtualScreen screen;
+  WindowOfThree three;
+  const Hit<float> hit = three.window().findings().walks.front().hit;
+  ASSERT_TRUE(hit.is_hit());
+  const ComparePicture picture = three.window().picture();
+  const CompareLayout places = picture.layout();
+  const PanelFrame panel = places.units(places.pictures()[1]);
+  const auto inset = picture.inset_in(three.window().findings().walks[1], panel);
+  ASSERT_TRUE(inset);
+  const int x = static_cast<int>((inset->frame.x + inset->frame.width / 2) * places.unit());
+  const int y = static_cast<int>((inset->frame.y + inset->frame.height / 2) * places.unit());
+  three.hand().click(x, y);
+  const Vec3d eye(three.shown().ray.origin);
+  EXPECT_LT(glm::length(eye - inset->camera.eye), 1e-5);
+  ASSERT_TRUE(three.window().findings().walks.front().hit.is_hit());
+  EXPECT_EQ(three.window().findings().walks.front().hit.prim_id, hit.prim_id);
+}
+
 TEST(CompareWindow, TheCommandLineShowsTheSameAgain) {
   const VirtualScreen screen;
   WindowOfThree three;

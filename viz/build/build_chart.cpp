@@ -11,7 +11,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
 #include <vtkRenderWindow.h>
-#include <vtkSVGExporter.h>
 #include <vtkStringArray.h>
 #include <vtkTextProperty.h>
 
@@ -19,9 +18,9 @@
 #include <cmath>
 #include <limits>
 
-#include "sightline/io/output_file.h"
 #include "viz/build/replay.h"
 #include "viz/paper.h"
+#include "viz/window_image.h"
 
 namespace sightline::viz {
 namespace {
@@ -335,18 +334,7 @@ vtkSmartPointer<vtkRenderer> chart_of(const Decision& decision, const std::strin
 }
 
 void write_chart_svg(const std::filesystem::path& path, const Decision& decision, const std::string& title) {
-  OutputFile file(path);
-  auto window = New<vtkRenderWindow>::New();
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0);
-  window->SetSize(svg_width, svg_height);
-  window->AddRenderer(chart_of(decision, title, svg_width, svg_height, 1));
-  window->Render();
-  auto exporter = New<vtkSVGExporter>::New();
-  exporter->SetRenderWindow(window);
-  exporter->SetFileName(file.temporary().c_str());
-  exporter->Write();
-  file.commit();
+  write_svg(path, *chart_of(decision, title, svg_width, svg_height, 1), svg_width, svg_height);
 }
 
 }  // namespace sightline::viz

@@ -13,6 +13,7 @@
 
 #include "viz/cell_geometry.h"
 #include "viz/paper.h"
+#include "viz/space_actor.h"
 
 namespace sightline::viz {
 namespace {
@@ -22,21 +23,9 @@ using New = vtkSmartPointer<T>;
 
 constexpr int slots = 10;  // of each axis, of which the cheapest plane is drawn
 
-vtkActor& add_actor(vtkRenderer& renderer, vtkPolyData* data, const Rgb& color, double opacity = 1) {
-  auto mapper = New<vtkPolyDataMapper>::New();
-  mapper->SetInputData(data);
-  mapper->ScalarVisibilityOff();
-  auto actor = New<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetProperty()->SetOpacity(opacity);
-  renderer.AddActor(actor);
-  return *actor;
-}
-
 void add_lines(vtkRenderer& renderer, vtkPolyData* data, const Rgb& color, double width, double opacity = 1,
                int front = 0) {
-  vtkActor& actor = add_actor(renderer, data, color, opacity);
+  vtkActor& actor = *add_actor(renderer, data, color, opacity);
   actor.GetProperty()->SetLineWidth(static_cast<float>(width));
   actor.GetProperty()->LightingOff();
   actor.GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
@@ -151,7 +140,7 @@ Rgb child_color(std::size_t i, std::size_t count) { return ramp(double(i) / doub
 void add_group(vtkRenderer& space, const TriangleMesh& mesh, const std::vector<std::uint32_t>& ids, const Rgb& color,
                double opacity = 1) {
   if (ids.empty()) return;
-  vtkActor& actor = add_actor(space, triangles_of(mesh, ids), color, opacity);
+  vtkActor& actor = *add_actor(space, triangles_of(mesh, ids), color, opacity);
   actor.GetProperty()->SetAmbient(0.35);
   actor.GetProperty()->SetDiffuse(0.7);
   actor.GetProperty()->SetInterpolationToFlat();
@@ -225,7 +214,7 @@ SpaceTold show_space(vtkRenderer& space, const BuildStory& story, const BuildSte
   if (decision.chosen) {
     const std::vector<Vec3d> corners = section_of(node.cell, plane_of(decision.candidates[*decision.chosen]));
     if (!corners.empty()) {
-      vtkActor& fill = add_actor(space, polygons_of({corners}, true), ink, 0.22);
+      vtkActor& fill = *add_actor(space, polygons_of({corners}, true), ink, 0.22);
       fill.GetProperty()->LightingOff();
       add_lines(space, polygons_of({corners}, false), ink, 4.5 * scale, 1, 5);
     }

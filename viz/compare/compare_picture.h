@@ -4,6 +4,7 @@
 #include <vtkRenderWindow.h>
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "viz/compare/compare_camera.h"
@@ -14,6 +15,12 @@
 #include "viz/compare/walk_space.h"
 
 namespace sightline::viz {
+
+/// A part of a panel that shows what is around the hit, larger; in units.
+struct CompareInset {
+  PanelFrame frame;
+  SpaceCamera camera;
+};
 
 struct ComparePicture {
   std::span<const Compared> compared;
@@ -27,11 +34,19 @@ struct ComparePicture {
   std::vector<std::size_t> shown() const;
   CompareLayout layout() const { return {width, height, shown().size()}; }
   SpaceCamera camera() const;
+  /// Of a panel's picture where the ray hits; nothing where that is not seen.
+  std::optional<CompareInset> inset_in(const Walk& walk, const PanelFrame& frame) const;
+  /// Through the middle of a pixel, where a panel or its inset shows the scene.
+  std::optional<Ray<float>> ray_through_pixel(int x, int y) const;
   /// Replaces what the window shows. `scale` enlarges all, for drawing larger than the picture will be.
   void show_in(vtkRenderWindow& window, int scale) const;
   /// Drawn off screen at twice the size and averaged down. Needs a display (see PictureScreen) while it runs.
   void write_png(const std::filesystem::path& path) const;
   HistogramSheet histograms() const;
 };
+
+/// The ray through a pixel of the picture, where a panel shows the scene, whatever its inset is.
+std::optional<Ray<float>> ray_through_pixel(const TriangleMesh& mesh, const CompareLook& look,
+                                            const CompareLayout& layout, int x, int y);
 
 }  // namespace sightline::viz

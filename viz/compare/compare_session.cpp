@@ -49,13 +49,4 @@ ComparePicture CompareSession::picture(const CompareLook& look, int width, int h
   return {compared_, surface_, findings_, look, source_, width, height};
 }
 
-std::optional<Ray<float>> ray_through_pixel(const TriangleMesh& mesh, const CompareLook& look,
-                                            const CompareLayout& layout, int x, int y) {
-  for (const PixelFrame& f : layout.pictures()) {
-    if (!f.contains(x, y)) continue;
-    return tracing_camera(camera_for(mesh, look, double(f.width) / f.height), f.width, f.height).ray(x - f.x, y - f.y);
-  }
-  return std::nullopt;
-}
-
 }  // namespace sightline::viz

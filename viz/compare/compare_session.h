@@ -30,8 +30,4 @@ class CompareSession {
   CompareFindings findings_;
 };
 
-/// The ray through a pixel of the picture, where a panel shows the scene.
-std::optional<Ray<float>> ray_through_pixel(const TriangleMesh& mesh, const CompareLook& look,
-                                            const CompareLayout& layout, int x, int y);
-
 }  // namespace sightline::viz

@@ -79,9 +79,7 @@ void CompareWindow::release() {
   is_held_ = false;
   if (has_turned_) return show();
   // The window's rows count from below, where the picture's last one is.
-  const auto ray =
-      ray_through_pixel(session_.compared().front().tracer->mesh(), look_,
-                        session_.picture(look_, width_, height_).layout(), from_[0], height_ - 1 - from_[1]);
+  const auto ray = session_.picture(look_, width_, height_).ray_through_pixel(from_[0], height_ - 1 - from_[1]);
   if (!ray || look_.kind == CompareKind::histogram) return;
   look_.ray = *ray;
   show();

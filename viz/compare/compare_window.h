@@ -15,6 +15,7 @@ class CompareWindow : public InteractiveWindow {
   /// What is shown.
   const CompareLook& look() const { return look_; }
   const CompareFindings& findings() const { return session_.picture(look_, width_, height_).findings; }
+  ComparePicture picture() const { return session_.picture(look_, width_, height_); }
   int width() const { return width_; }
   int height() const { return height_; }
   std::string command() const override { return command_line(session_.source(), look_, width_, height_); }

@@ -12,7 +12,6 @@
 #include <vtkPen.h>
 #include <vtkPlot.h>
 #include <vtkRenderWindow.h>
-#include <vtkSVGExporter.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
@@ -22,8 +21,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "sightline/io/output_file.h"
 #include "viz/paper.h"
+#include "viz/window_image.h"
 
 namespace sightline::viz {
 namespace {
@@ -241,18 +240,8 @@ vtkSmartPointer<vtkRenderer> HistogramSheet::renderer(const PartPlace& place) co
 }
 
 void HistogramSheet::write_svg(const std::filesystem::path& path, int width, int height, double unit_pixels) const {
-  OutputFile file(path);
-  auto window = New<vtkRenderWindow>::New();
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0);
-  window->SetSize(width, height);
-  window->AddRenderer(renderer_of(*this, {unit_pixels, width / unit_pixels, height / unit_pixels}, true));
-  window->Render();
-  auto exporter = New<vtkSVGExporter>::New();
-  exporter->SetRenderWindow(window);
-  exporter->SetFileName(file.temporary().c_str());
-  exporter->Write();
-  file.commit();
+  const auto renderer = renderer_of(*this, {unit_pixels, width / unit_pixels, height / unit_pixels}, true);
+  viz::write_svg(path, *renderer, width, height);
 }
 
 }  // namespace sightline::viz

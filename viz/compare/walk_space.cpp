@@ -16,6 +16,7 @@
 #include "viz/cell_geometry.h"
 #include "viz/compare/comparison.h"
 #include "viz/graph/bound_lines.h"
+#include "viz/space_actor.h"
 
 namespace sightline::viz {
 namespace {
@@ -23,18 +24,12 @@ namespace {
 template <class T>
 using New = vtkSmartPointer<T>;
 
-vtkSmartPointer<vtkActor> add_actor(vtkRenderer& renderer, vtkPolyData* data, const Rgb& color, double width,
+/// Without light; lines of this width.
+vtkSmartPointer<vtkActor> add_lines(vtkRenderer& renderer, vtkPolyData* data, const Rgb& color, double width,
                                     double opacity = 1) {
-  auto mapper = New<vtkPolyDataMapper>::New();
-  mapper->SetInputData(data);
-  mapper->ScalarVisibilityOff();
-  auto actor = New<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+  auto actor = add_actor(renderer, data, color, opacity);
   actor->GetProperty()->SetLineWidth(static_cast<float>(width));
-  actor->GetProperty()->SetOpacity(opacity);
   actor->GetProperty()->LightingOff();
-  renderer.AddActor(actor);
   return actor;
 }
 
@@ -134,10 +129,10 @@ void add_ray(vtkRenderer& renderer, const Walk& walk, const Aabb& bounds, const 
   const Stretch stretch = stretch_of(walk.ray, bounds, camera);
   if (!(stretch.to > stretch.from)) return;
   const double end = walk.hit.is_hit() ? std::clamp(double(walk.hit.t), stretch.from, stretch.to) : stretch.to;
-  add_actor(renderer, segment(at(stretch.from), at(end)), ink, 3.4 * scale);
+  add_lines(renderer, segment(at(stretch.from), at(end)), ink, 3.4 * scale);
   if (end < stretch.to) {
     const double dash = 0.012 * glm::length(camera.eye - camera.focus);
-    add_actor(renderer, dashed(*segment(at(end), at(stretch.to)), dash), soft_ink, 1.6 * scale);
+    add_lines(renderer, dashed(*segment(at(end), at(stretch.to)), dash), soft_ink, 1.6 * scale);
   }
 }
 
@@ -156,16 +151,15 @@ vtkSmartPointer<vtkPolyData> smooth_surface(const TriangleMesh& mesh) {
   return normals->GetOutput();
 }
 
-WalkSpace WalkSpace::close_to(const Vec3d& place, double aspect) const {
-  const double half = 0.022 * glm::length(Vec3d(mesh.bounds().extent()));
+SpaceCamera close_camera(const SpaceCamera& camera, const Aabb& bounds, const Vec3d& place, double aspect) {
+  const double half = 0.022 * glm::length(Vec3d(bounds.extent()));
   std::vector<Vec3d> corners;
   for (const double x : {-half, half}) {
     for (const double y : {-half, half}) corners.push_back(x * camera.axes.x + y * camera.axes.y);
   }
-  WalkSpace close = *this;
-  close.camera = fit_camera(camera.axes, corners, aspect, 1);  // around the origin, where it is exact
-  close.camera.eye += place;
-  close.camera.focus += place;
+  SpaceCamera close = fit_camera(camera.axes, corners, aspect, 1);  // around the origin, where it is exact
+  close.eye += place;
+  close.focus += place;
   return close;
 }
 
@@ -180,7 +174,7 @@ std::vector<vtkSmartPointer<vtkRenderer>> WalkSpace::renderers(const Walk& walk,
     camera.aim(*renderer->GetActiveCamera());
   }
   light_space(*below);
-  vtkProperty* look = add_actor(*below, surface, {0.93, 0.925, 0.915}, 1)->GetProperty();
+  vtkProperty* look = add_lines(*below, surface, {0.93, 0.925, 0.915}, 1)->GetProperty();
   look->LightingOn();
   look->SetAmbient(0.55);
   look->SetDiffuse(0.5);
@@ -193,28 +187,28 @@ std::vector<vtkSmartPointer<vtkRenderer>> WalkSpace::renderers(const Walk& walk,
   const auto add_cells = [&](const std::vector<Cell>& cells, double width) {
     if (cells.empty()) return;
     auto lines = cell_outlines(cells, camera.axes.z);
-    color_by_order(*add_actor(*above, lines, ink, width * scale), *lines, touched.order, most_opened);
+    color_by_order(*add_lines(*above, lines, ink, width * scale), *lines, touched.order, most_opened);
   };
   if (!touched.leaves.empty()) {
     auto faces = cell_surfaces(touched.leaves);
-    color_by_order(*add_actor(*above, faces, ink, 1, 0.1), *faces, touched.order, most_opened);
+    color_by_order(*add_lines(*above, faces, ink, 1, 0.1), *faces, touched.order, most_opened);
   }
   if (!touched.culled.empty()) {
     const double dot = 0.006 * glm::length(camera.eye - camera.focus);
-    add_actor(*above, dashed(*cell_outlines(touched.culled, camera.axes.z), dot), culled_color, 1.8 * scale);
+    add_lines(*above, dashed(*cell_outlines(touched.culled, camera.axes.z), dot), culled_color, 1.8 * scale);
   }
   add_cells(touched.inner, 1.3 * crowd + 0.3);
   add_cells(touched.leaves, 2.8 * crowd);
   if (!touched.tested.empty()) {
     auto triangles = triangles_of(mesh, touched.tested);
-    add_actor(*above, triangles, tested_color, 1, 0.75);
-    add_actor(*above, triangles, tested_color, 1.6 * scale)->GetProperty()->SetRepresentationToWireframe();
+    add_lines(*above, triangles, tested_color, 1, 0.75);
+    add_lines(*above, triangles, tested_color, 1.6 * scale)->GetProperty()->SetRepresentationToWireframe();
   }
   if (walk.hit.is_hit()) {
     const std::uint32_t hit[] = {walk.hit.prim_id};
     auto triangle = triangles_of(mesh, hit);
-    add_actor(*above, triangle, hit_color, 1);
-    add_actor(*above, triangle, hit_color, 3 * scale)->GetProperty()->SetRepresentationToWireframe();
+    add_lines(*above, triangle, hit_color, 1);
+    add_lines(*above, triangle, hit_color, 3 * scale)->GetProperty()->SetRepresentationToWireframe();
   }
   add_ray(*above, walk, mesh.bounds(), camera, scale);
   above->ResetCameraClippingRange();

@@ -31,8 +31,9 @@ struct WalkSpace {
   /// nothing is hidden.
   std::vector<vtkSmartPointer<vtkRenderer>> renderers(const Walk& walk, const PanelFrame& frame, const PartPlace& place,
                                                       int layer) const;
-  /// The same direction, but close to what the ray hits: a picture of this width over height.
-  WalkSpace close_to(const Vec3d& place, double aspect) const;
 };
+
+/// In the same direction, but close to a place in the scene: for a picture of this width over height.
+SpaceCamera close_camera(const SpaceCamera& camera, const Aabb& bounds, const Vec3d& place, double aspect);
 
 }  // namespace sightline::viz

@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "viz/cell_geometry.h"
+#include "viz/space_actor.h"
 #include "viz/walk/split_plane.h"
 #include "viz/walk/walk_colors.h"
 
@@ -21,18 +22,6 @@ namespace {
 
 template <class T>
 using New = vtkSmartPointer<T>;
-
-vtkSmartPointer<vtkActor> add_actor(vtkRenderer& renderer, vtkPolyData* data, const Rgb& color, double opacity) {
-  auto mapper = New<vtkPolyDataMapper>::New();
-  mapper->SetInputData(data);
-  mapper->ScalarVisibilityOff();
-  auto actor = New<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetProperty()->SetOpacity(opacity);
-  renderer.AddActor(actor);
-  return actor;
-}
 
 /// Lines and triangles that are made here.
 class Shapes3d {
