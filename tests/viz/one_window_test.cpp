@@ -20,7 +20,7 @@
 namespace sightline::viz {
 namespace {
 
-constexpr int width = 1400, height = 840;
+constexpr int width = 1200, height = 751;
 
 std::string bytes_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -144,10 +144,10 @@ TEST(OneWindow, AClickOnTheHeatMapWalksThatRay) {
 TEST(OneWindow, FitsItsPagesWhenItsSizeChanges) {
   const VirtualScreen screen;
   WindowOfPages pages;
-  pages.hand().resize(1300, 800);
-  EXPECT_EQ(pages.value("--size"), "1300x" + std::to_string(800 - WindowBar::height - WindowFrame::foot_height));
+  pages.hand().resize(1250, 800);
+  EXPECT_EQ(pages.value("--size"), "1250x" + std::to_string(800 - WindowBar::height - WindowFrame::foot_height));
   pages.hand().press(XK_F2);
-  EXPECT_EQ(pages.value("--size"), "1300x" + std::to_string(800 - WindowBar::height));
+  EXPECT_EQ(pages.value("--size"), "1250x" + std::to_string(800 - WindowBar::height));
 }
 
 TEST(OneWindow, TellsWhatAPageRefuses) {

@@ -10,6 +10,7 @@
 
 #include "sightline/query/workloads.h"
 #include "sightline/scene/scenes.h"
+#include "tests/viz/structure_names.h"
 #include "viz/walk/coarse_mesh.h"
 #include "viz/walk/split_plane.h"
 #include "viz/walk/walk_model.h"
@@ -173,19 +174,7 @@ TEST_P(ShownWalk, TimelineHasEveryStepOnce) {
   }
 }
 
-std::vector<std::string> names() {
-  std::vector<std::string> all;
-  for (const AcceleratorInfo& info : accelerator_infos()) all.emplace_back(info.name);
-  return all;
-}
-
-std::string name_of(const testing::TestParamInfo<std::string>& info) {
-  std::string name = info.param;
-  std::ranges::replace(name, '-', '_');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Registry, ShownWalk, testing::ValuesIn(names()), name_of);
+INSTANTIATE_TEST_SUITE_P(Registry, ShownWalk, testing::ValuesIn(structure_names()), test_name_of);
 
 TEST(WalkModel, TellsWhatALazyTreeHasMadeForTheRay) {
   const auto mesh = load_scene("soup:2000", "");

@@ -8,21 +8,10 @@
 
 #include "sightline/query/workloads.h"
 #include "sightline/scene/scenes.h"
+#include "tests/viz/structure_names.h"
 
 namespace sightline::viz {
 namespace {
-
-std::vector<std::string> names() {
-  std::vector<std::string> all;
-  for (const AcceleratorInfo& info : accelerator_infos()) all.emplace_back(info.name);
-  return all;
-}
-
-std::string name_of(const testing::TestParamInfo<std::string>& info) {
-  std::string name = info.param;
-  std::ranges::replace(name, '-', '_');
-  return name;
-}
 
 class EveryStructure : public testing::TestWithParam<std::string> {
  protected:
@@ -146,7 +135,7 @@ TEST_P(EveryStructure, KnowsTheCellOfEveryStepWhereSomeAreEmpty) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, EveryStructure, testing::ValuesIn(names()), name_of);
+INSTANTIATE_TEST_SUITE_P(Registry, EveryStructure, testing::ValuesIn(structure_names()), test_name_of);
 
 }  // namespace
 }  // namespace sightline::viz

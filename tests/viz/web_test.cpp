@@ -9,6 +9,7 @@
 
 #include "sightline/query/workloads.h"
 #include "sightline/scene/scenes.h"
+#include "tests/viz/structure_names.h"
 #include "viz/web/web_camera.h"
 #include "viz/web/web_page.h"
 
@@ -50,12 +51,6 @@ WebModel model_of(const std::string& scene, const std::vector<std::string>& name
   return model;
 }
 
-std::vector<std::string> all_names() {
-  std::vector<std::string> names;
-  for (const AcceleratorInfo& info : accelerator_infos()) names.emplace_back(info.name);
-  return names;
-}
-
 /// Every step as the walk has it, and the stack after it.
 void expect_same(const Walk& walk, const json& data) {
   const auto kind = decoded<std::uint8_t>(data["steps"]["kind_u8"]),
@@ -88,9 +83,9 @@ void expect_same(const Walk& walk, const json& data) {
 }
 
 TEST(WebData, HasEveryWalkOfEveryStructure) {
-  const WebModel model = model_of("soup:300", all_names());
+  const WebModel model = model_of("soup:300", structure_names());
   const json data = json::parse(web_data(model).dump());
-  ASSERT_EQ(data["structures"].size(), all_names().size());
+  ASSERT_EQ(data["structures"].size(), structure_names().size());
   std::size_t steps = 0;
   for (std::size_t s = 0; s < model.structures.size(); ++s) {
     for (std::size_t w = 0; w < model.rays.size(); ++w) {

@@ -16,6 +16,8 @@
 
 namespace sightline::viz {
 
+Vec3d point_of_hit(const Walk& walk);
+
 /// A part of a panel that shows what is around the hit, larger; in units.
 struct CompareInset {
   PanelFrame frame;
@@ -34,6 +36,8 @@ struct ComparePicture {
   std::vector<std::size_t> shown() const;
   CompareLayout layout() const { return {width, height, shown().size()}; }
   SpaceCamera camera() const;
+  /// Where in the frame the ray hits, whatever is in front of it; nothing beside the frame.
+  std::optional<Canvas::Point> place_of_hit(const Walk& walk, const PanelFrame& frame) const;
   /// Of a panel's picture where the ray hits; nothing where that is not seen.
   std::optional<CompareInset> inset_in(const Walk& walk, const PanelFrame& frame) const;
   /// Through the middle of a pixel, where a panel or its inset shows the scene.
