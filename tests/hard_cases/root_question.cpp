@@ -24,6 +24,9 @@ bool is_off_by(const TrueNumber& truth, double t, double bound) {
   return std::isfinite(t) && truth(t, -bound) >= 0 && truth(t, bound) <= 0;
 }
 
+/// Of a root at the level precise, as a share.
+constexpr double most_radius = 0x1p-40;
+
 double error_of(double t, double truth) { return t == truth ? 0 : std::fabs((t - truth) / truth); }
 
 }  // namespace
@@ -75,9 +78,11 @@ Verdict RootQuestion::verdict_of(const Root& root, std::size_t i, Level level) c
   if (root.multiplicity != multiplicity) return Verdict::wrong;
   if (level == Level::fast ? t == static_cast<float>(nearest) : t == nearest) return Verdict::exact;
   const double size = std::fabs(t);
+  // What a root says of itself may not be much beside the farthest of all.
+  const double farthest = std::max(std::fabs(roots_.front().nearest), std::fabs(roots_.back().nearest));
   const double bound = level == Level::fast         ? 0x1p-19 * size
                        : level == Level::watertight ? 0x1p-46 * size
-                                                    : root.radius;
+                                                    : std::min(root.radius, most_radius * farthest);
   return level != Level::exact && is_off_by(number, t, bound) ? Verdict::within_bound : Verdict::wrong;
 }
 
