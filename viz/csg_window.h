@@ -1,42 +1,31 @@
 #pragma once
 
-#include <vtkRenderWindow.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkSmartPointer.h>
-
 #include <iosfwd>
 
 #include "viz/csg_picture.h"
+#include "viz/interactive_window.h"
 
 namespace sightline::viz {
 
 /// Shows the picture in a window. A click on the solid chooses the ray through it and prints its table; R brings back
-/// the first one, Q closes. Refers to the solid, and to the stream that tables go to. Needs a display (see has_display)
-/// as long as it lives.
-class CsgWindow {
+/// the first one, Q closes. Refers to the solid, and to the stream that tables go to.
+class CsgWindow : public InteractiveWindow {
  public:
   CsgWindow(const CsgPicture& first, std::ostream& tables);
 
-  /// Until it is closed.
-  void run();
-
-  vtkRenderWindowInteractor& interactor() { return *interactor_; }
   /// What is shown.
   const CsgPicture& picture() const { return picture_; }
 
  private:
-  class Events;
-
-  void press();
+  void press() override;
+  void answer_key(const std::string& key) override;
   void choose(const Ray<double>& ray);
-  void fit();
+  void fit() override;
   void show();
 
   CsgPicture picture_;
   Ray<double> first_;
   std::ostream& tables_;
-  vtkSmartPointer<vtkRenderWindow> window_;
-  vtkSmartPointer<vtkRenderWindowInteractor> interactor_;
 };
 
 }  // namespace sightline::viz

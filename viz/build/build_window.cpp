@@ -1,19 +1,10 @@
 #include "viz/build/build_window.h"
 
-#include <vtkCommand.h>
-#include <vtkInteractorStyleUser.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 
 namespace sightline::viz {
-namespace {
-
-template <class T>
-using New = vtkSmartPointer<T>;
-
-}  // namespace
 
 std::optional<std::size_t> node_after(const BuildTree& tree, std::size_t node, const std::string& key) {
   const BuildNode& here = tree[node];
@@ -37,76 +28,37 @@ std::string picture_name(const BuildStory& story, const BuildStep& step) {
   return "build-" + story.structure().accelerator + '-' + std::to_string(story.tree()[step.node].cell.node) + ".png";
 }
 
-class BuildWindow::Events : public vtkCommand {
- public:
-  static Events* New() { return new Events; }
-  void tell(BuildWindow& window) { window_ = &window; }
-  void Execute(vtkObject*, unsigned long event, void*) override { window_->answer(event); }
-
- private:
-  BuildWindow* window_ = nullptr;
-};
-
 BuildWindow::BuildWindow(const BuildStory& story, std::size_t node, const BuildLook& look)
-    : story_(story),
+    : InteractiveWindow("build " + story.structure().accelerator + " on " + story.scene(), look.width, look.height),
+      story_(story),
       step_(story.step_at(node)),
-      look_(look),
-      window_(New<vtkRenderWindow>::New()),
-      interactor_(New<vtkRenderWindowInteractor>::New()) {
-  window_->SetWindowName(("build " + story.structure().accelerator + " on " + story.scene()).c_str());
-  window_->SetSize(look.width, look.height);
-  window_->SetMultiSamples(8);
-  interactor_->SetRenderWindow(window_);
-  auto style = New<vtkInteractorStyleUser>::New();
-  interactor_->SetInteractorStyle(style);
-  auto events = New<Events>::New();
-  events->tell(*this);
-  for (const auto event :
-       {vtkCommand::LeftButtonPressEvent, vtkCommand::MouseMoveEvent, vtkCommand::LeftButtonReleaseEvent,
-        vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent,
-        vtkCommand::ConfigureEvent}) {
-    interactor_->AddObserver(event, events);
-  }
-  style->AddObserver(vtkCommand::CharEvent, events);  // keys have no other meaning than here
+      look_(look) {
   show();
 }
 
-void BuildWindow::run() { interactor_->Start(); }
-
-void BuildWindow::answer(unsigned long event) {
-  switch (event) {
-    case vtkCommand::LeftButtonPressEvent:
-      is_turning_ = true;
-      hand_x_ = interactor_->GetEventPosition()[0], hand_y_ = interactor_->GetEventPosition()[1];
-      return;
-    case vtkCommand::LeftButtonReleaseEvent:
-      is_turning_ = false;
-      return;
-    case vtkCommand::MouseMoveEvent:
-      if (is_turning_) turn();
-      return;
-    case vtkCommand::MouseWheelForwardEvent:
-      look_.zoom = std::min(100.0, look_.zoom * 1.15);
-      return show();
-    case vtkCommand::MouseWheelBackwardEvent:
-      look_.zoom = std::max(0.1, look_.zoom / 1.15);
-      return show();
-    case vtkCommand::ConfigureEvent: {
-      const int width = window_->GetSize()[0], height = window_->GetSize()[1];
-      if (width == look_.width && height == look_.height) return;
-      look_.width = std::max(width, BuildPicture::lowest_width);
-      look_.height = std::max(height, BuildPicture::lowest_height);
-      return show();
-    }
-    case vtkCommand::KeyPressEvent:
-      return answer_key(interactor_->GetKeySym() ? interactor_->GetKeySym() : "");
-    default:
-      return;
-  }
+void BuildWindow::press() {
+  is_turning_ = true;
+  hand_x_ = interactor().GetEventPosition()[0], hand_y_ = interactor().GetEventPosition()[1];
 }
 
-void BuildWindow::turn() {
-  const int x = interactor_->GetEventPosition()[0], y = interactor_->GetEventPosition()[1];
+void BuildWindow::release() { is_turning_ = false; }
+
+void BuildWindow::zoom(double factor) {
+  look_.zoom = std::clamp(look_.zoom * factor, 0.1, 100.0);
+  show();
+}
+
+void BuildWindow::fit() {
+  const int width = std::max(window().GetSize()[0], BuildPicture::lowest_width);
+  const int height = std::max(window().GetSize()[1], BuildPicture::lowest_height);
+  if (width == look_.width && height == look_.height) return;
+  look_.width = width, look_.height = height;
+  show();
+}
+
+void BuildWindow::move() {
+  if (!is_turning_) return;
+  const int x = interactor().GetEventPosition()[0], y = interactor().GetEventPosition()[1];
   look_.azimuth = std::fmod(look_.azimuth - 0.4 * (x - hand_x_), 360);
   look_.elevation = std::clamp(look_.elevation - 0.4 * (y - hand_y_), -90.0, 90.0);
   hand_x_ = x, hand_y_ = y;
@@ -114,7 +66,6 @@ void BuildWindow::turn() {
 }
 
 void BuildWindow::answer_key(const std::string& key) {
-  if (key == "q" || key == "Q") return interactor_->ExitCallback();
   if (key == "h" || key == "H") {
     look_.has_help = !look_.has_help;
     return show();
@@ -130,14 +81,17 @@ void BuildWindow::answer_key(const std::string& key) {
   if (const auto node = node_after(story_.tree(), step_.node, key)) go_to(*node);
 }
 
-void BuildWindow::go_to(std::size_t node) {
+/// Stays where it is, and says why, where a node cannot be weighed again.
+void BuildWindow::go_to(std::size_t node) try {
   step_ = story_.step_at(node);
   show();
+} catch (const std::invalid_argument& error) {
+  std::cerr << error.what() << '\n';
 }
 
 void BuildWindow::show() {
-  BuildPicture{story_, step_, look_}.show_in(*window_, 1);
-  window_->Render();
+  BuildPicture{story_, step_, look_}.show_in(window(), 1);
+  window().Render();
 }
 
 }  // namespace sightline::viz

@@ -1,42 +1,33 @@
 #pragma once
 /// The window of a construction: keys step through it.
 
-#include <vtkRenderWindow.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkSmartPointer.h>
-
 #include <string>
 
 #include "viz/build/build_picture.h"
+#include "viz/interactive_window.h"
 
 namespace sightline::viz {
 
-class BuildWindow {
+class BuildWindow : public InteractiveWindow {
  public:
-  /// `flags`: of the command line, besides the node's.
   BuildWindow(const BuildStory& story, std::size_t node, const BuildLook& look);
-
-  /// Until it is closed.
-  void run();
 
   std::size_t node() const { return step_.node; }
   const BuildStep& step() const { return step_; }
-  vtkRenderWindowInteractor& interactor() { return *interactor_; }
 
  private:
-  class Events;
-
-  void answer(unsigned long event);
-  void answer_key(const std::string& key);
+  void answer_key(const std::string& key) override;
   void go_to(std::size_t node);
-  void turn();
+  void press() override;
+  void move() override;
+  void release() override;
+  void zoom(double factor) override;
+  void fit() override;
   void show();
 
   const BuildStory& story_;
   BuildStep step_;
   BuildLook look_;
-  vtkSmartPointer<vtkRenderWindow> window_;
-  vtkSmartPointer<vtkRenderWindowInteractor> interactor_;
   bool is_turning_ = false;
   int hand_x_ = 0, hand_y_ = 0;
 };

@@ -1,8 +1,5 @@
 #include "viz/compare/compare_window.h"
 
-#include <vtkCommand.h>
-#include <vtkInteractorStyleUser.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -26,78 +23,30 @@ double rounded(double number, double parts) { return std::round(number * parts) 
 
 }  // namespace
 
-class CompareWindow::Events : public vtkCommand {
- public:
-  static Events* New() { return new Events; }
-  void tell(CompareWindow& window) { window_ = &window; }
-  void Execute(vtkObject*, unsigned long event, void*) override { window_->answer(event); }
-
- private:
-  CompareWindow* window_ = nullptr;
-};
-
 CompareWindow::CompareWindow(CompareSession& session, const CompareLook& look, int width, int height, std::ostream& out)
-    : session_(session),
+    : InteractiveWindow("compare " + session.source().scene, width, height),
+      session_(session),
       look_(look),
       first_(look),
       width_(width),
       height_(height),
-      out_(out),
-      window_(New<vtkRenderWindow>::New()),
-      interactor_(New<vtkRenderWindowInteractor>::New()) {
-  window_->SetWindowName(("compare " + session.source().scene).c_str());
-  window_->SetSize(width, height);
-  window_->SetMultiSamples(8);
-  interactor_->SetRenderWindow(window_);
-  auto style = New<vtkInteractorStyleUser>::New();
-  interactor_->SetInteractorStyle(style);
-  auto events = New<Events>::New();
-  events->tell(*this);
-  for (const auto event :
-       {vtkCommand::LeftButtonPressEvent, vtkCommand::MouseMoveEvent, vtkCommand::LeftButtonReleaseEvent,
-        vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent,
-        vtkCommand::ConfigureEvent}) {
-    interactor_->AddObserver(event, events);
-  }
-  style->AddObserver(vtkCommand::CharEvent, events);  // keys have no other meaning than here
+      out_(out) {
   show();
 }
 
-void CompareWindow::run() { interactor_->Start(); }
-
-void CompareWindow::answer(unsigned long event) {
-  const auto zoom = [this](double factor) {
-    look_.zoom = std::clamp(rounded(look_.zoom * factor, 1000), lowest_zoom, highest_zoom);
-    show();
-  };
-  switch (event) {
-    case vtkCommand::LeftButtonPressEvent:
-      return press();
-    case vtkCommand::MouseMoveEvent:
-      return move();
-    case vtkCommand::LeftButtonReleaseEvent:
-      return release();
-    case vtkCommand::MouseWheelForwardEvent:
-      return zoom(1.15);
-    case vtkCommand::MouseWheelBackwardEvent:
-      return zoom(1 / 1.15);
-    case vtkCommand::ConfigureEvent:
-      return fit();
-    case vtkCommand::KeyPressEvent:
-      return answer_key(interactor_->GetKeySym() ? interactor_->GetKeySym() : "");
-    default:
-      return;
-  }
+void CompareWindow::zoom(double factor) {
+  look_.zoom = std::clamp(rounded(look_.zoom * factor, 1000), lowest_zoom, highest_zoom);
+  show();
 }
 
 void CompareWindow::press() {
   is_held_ = true, has_turned_ = false;
-  std::copy_n(interactor_->GetEventPosition(), 2, from_);
+  std::copy_n(interactor().GetEventPosition(), 2, from_);
 }
 
 void CompareWindow::move() {
   if (!is_held_) return;
-  const int* at = interactor_->GetEventPosition();
+  const int* at = interactor().GetEventPosition();
   const int right = at[0] - from_[0], up = at[1] - from_[1];
   if (!has_turned_ && std::max(std::abs(right), std::abs(up)) <= slack) return;
   has_turned_ = true;
@@ -129,7 +78,6 @@ void CompareWindow::answer_key(const std::string& key) {
   const auto is = [&](char letter) {
     return key.size() == 1 && std::tolower(static_cast<unsigned char>(key[0])) == letter;
   };
-  if (is('q')) return interactor_->ExitCallback();
   if (is('s')) {
     out_ << command() << '\n' << std::flush;
     return;
@@ -158,8 +106,8 @@ void CompareWindow::answer_key(const std::string& key) {
 
 /// The picture grows and shrinks with the window.
 void CompareWindow::fit() {
-  const int width = std::max(window_->GetSize()[0], CompareLayout::lowest_width);
-  const int height = std::max(window_->GetSize()[1], CompareLayout::lowest_height);
+  const int width = std::max(window().GetSize()[0], CompareLayout::lowest_width);
+  const int height = std::max(window().GetSize()[1], CompareLayout::lowest_height);
   if (width == width_ && height == height_) return;
   width_ = width, height_ = height;
   show();
@@ -170,8 +118,8 @@ void CompareWindow::show(bool is_turning) {
   session_.find(look_, width_, height_, look_.kind != CompareKind::walk, is_turning ? turning_coarseness : 1,
                 [&](const std::string& label) { progress.say("tracing the picture's rays", label); });
   progress.clear();
-  session_.picture(look_, width_, height_, has_help_).show_in(*window_, 1);
-  window_->Render();
+  session_.picture(look_, width_, height_, has_help_).show_in(window(), 1);
+  window().Render();
 }
 
 }  // namespace sightline::viz

@@ -1,25 +1,18 @@
 #pragma once
 
-#include <vtkRenderWindow.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkSmartPointer.h>
-
 #include <iosfwd>
 
 #include "viz/compare/compare_session.h"
+#include "viz/interactive_window.h"
 
 namespace sightline::viz {
 
 /// The panels with one camera: dragging turns all, a click chooses the ray for all and prints its table. Keys as the
-/// help says. Refers to the session and the stream. Needs a display (see has_display) as long as it lives.
-class CompareWindow {
+/// help says. Refers to the session and the stream.
+class CompareWindow : public InteractiveWindow {
  public:
   CompareWindow(CompareSession& session, const CompareLook& look, int width, int height, std::ostream& out);
 
-  /// Until it is closed.
-  void run();
-
-  vtkRenderWindowInteractor& interactor() { return *interactor_; }
   /// What is shown.
   const CompareLook& look() const { return look_; }
   const CompareFindings& findings() const { return session_.picture(look_, width_, height_).findings; }
@@ -29,14 +22,12 @@ class CompareWindow {
   std::string command() const { return command_line(session_.source(), look_, width_, height_); }
 
  private:
-  class Events;
-
-  void answer(unsigned long event);
-  void press();
-  void move();
-  void release();
-  void answer_key(const std::string& key);
-  void fit();
+  void press() override;
+  void move() override;
+  void release() override;
+  void zoom(double factor) override;
+  void answer_key(const std::string& key) override;
+  void fit() override;
   /// `is_turning`: coarse, since another picture will follow soon.
   void show(bool is_turning = false);
 
@@ -46,8 +37,6 @@ class CompareWindow {
   std::ostream& out_;
   bool has_help_ = false, is_held_ = false, has_turned_ = false;
   int from_[2] = {0, 0};
-  vtkSmartPointer<vtkRenderWindow> window_;
-  vtkSmartPointer<vtkRenderWindowInteractor> interactor_;
 };
 
 }  // namespace sightline::viz

@@ -1,8 +1,6 @@
 #include "viz/graph/graph_window.h"
 
 #include <vtkCellPicker.h>
-#include <vtkCommand.h>
-#include <vtkInteractorStyleUser.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,19 +24,10 @@ constexpr const char* help =
 
 }  // namespace
 
-class GraphWindow::Events : public vtkCommand {
- public:
-  static Events* New() { return new Events; }
-  void tell(GraphWindow& window) { window_ = &window; }
-  void Execute(vtkObject*, unsigned long event, void*) override { window_->answer(event); }
-
- private:
-  GraphWindow* window_ = nullptr;
-};
-
 GraphWindow::GraphWindow(LiveScene& scene, const Controller* controller, double duration, const std::string& title,
                          const GraphLook& look, int width, int height, std::ostream& tables)
-    : scene_(scene),
+    : InteractiveWindow("graph " + title, width, height),
+      scene_(scene),
       controller_(controller),
       duration_(duration),
       tables_(tables),
@@ -46,51 +35,9 @@ GraphWindow::GraphWindow(LiveScene& scene, const Controller* controller, double 
       picture_{drawn_, {still_frame(scene, look.kind)}, look, true, title, summary(drawn_, look), "", help, width,
                height},
       first_look_(look),
-      camera_(picture_.camera()),
-      window_(New<vtkRenderWindow>::New()),
-      interactor_(New<vtkRenderWindowInteractor>::New()) {
+      camera_(picture_.camera()) {
   for (NodeId node = 0; node < drawn_.graph.size(); ++node) first_places_.push_back(drawn_.graph.local(node));
-  window_->SetWindowName(("graph " + title).c_str());
-  window_->SetSize(width, height);
-  window_->SetMultiSamples(8);
-  interactor_->SetRenderWindow(window_);
-  auto style = New<vtkInteractorStyleUser>::New();
-  interactor_->SetInteractorStyle(style);
-  auto events = New<Events>::New();
-  events->tell(*this);
-  for (const auto event :
-       {vtkCommand::LeftButtonPressEvent, vtkCommand::MouseMoveEvent, vtkCommand::LeftButtonReleaseEvent,
-        vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent,
-        vtkCommand::ConfigureEvent, vtkCommand::TimerEvent}) {
-    interactor_->AddObserver(event, events);
-  }
-  style->AddObserver(vtkCommand::CharEvent, events);  // keys have no other meaning than here
   show();
-}
-
-void GraphWindow::run() { interactor_->Start(); }
-
-void GraphWindow::answer(unsigned long event) {
-  switch (event) {
-    case vtkCommand::LeftButtonPressEvent:
-      return press();
-    case vtkCommand::MouseMoveEvent:
-      return move();
-    case vtkCommand::LeftButtonReleaseEvent:
-      return release();
-    case vtkCommand::MouseWheelForwardEvent:
-      return zoom(1.15);
-    case vtkCommand::MouseWheelBackwardEvent:
-      return zoom(1 / 1.15);
-    case vtkCommand::ConfigureEvent:
-      return fit();
-    case vtkCommand::TimerEvent:
-      return tick();
-    case vtkCommand::KeyPressEvent:
-      return answer_key(interactor_->GetKeySym() ? interactor_->GetKeySym() : "");
-    default:
-      return;
-  }
 }
 
 // ---- The hand
@@ -98,14 +45,14 @@ void GraphWindow::answer(unsigned long event) {
 /// The window's rows count from below, where the picture's last one is.
 Canvas::Point GraphWindow::hand_at() const {
   const double unit = picture_.layout().unit();
-  const int* at = interactor_->GetEventPosition();
+  const int* at = interactor().GetEventPosition();
   return {(at[0] + 0.5) / unit, (picture_.height - 0.5 - at[1]) / unit};
 }
 
 std::optional<std::pair<NodeId, Vec3d>> GraphWindow::thing_at_hand() const {
   auto picker = New<vtkCellPicker>::New();
   picker->SetTolerance(0);
-  const int* at = interactor_->GetEventPosition();
+  const int* at = interactor().GetEventPosition();
   if (!picker->Pick(at[0], at[1], 0, spaces_.front().renderer)) return std::nullopt;
   for (const auto& [actor, node] : spaces_.front().things) {
     if (actor != picker->GetActor()) continue;
@@ -169,7 +116,7 @@ void GraphWindow::release() {
   steps_.erase(steps_.begin());
   std::reverse(steps_.begin(), steps_.end());
   ticks_ = 0;
-  if (timer_ == 0) timer_ = interactor_->CreateRepeatingTimer(tick_length);
+  start_clock(tick_length);
 }
 
 // ---- Keys and time
@@ -177,9 +124,7 @@ void GraphWindow::release() {
 void GraphWindow::answer_key(const std::string& key) {
   GraphLook& look = picture_.look;
   const SceneGraph& graph = drawn_.graph;
-  if (key == "q" || key == "Q") {
-    interactor_->ExitCallback();
-  } else if (key == "r" || key == "R") {
+  if (key == "r" || key == "R") {
     go_back();
   } else if (key == "Up" && look.selected != root_node) {
     choose(graph.parent(look.selected));
@@ -199,7 +144,7 @@ void GraphWindow::answer_key(const std::string& key) {
     show();
   } else if (key == "space" && controller_ != nullptr) {
     is_playing_ = !is_playing_;
-    if (timer_ == 0) timer_ = interactor_->CreateRepeatingTimer(tick_length);
+    start_clock(tick_length);
   }
 }
 
@@ -255,8 +200,8 @@ void GraphWindow::zoom(double factor) {
 
 /// The picture grows and shrinks with the window.
 void GraphWindow::fit() {
-  const int width = std::max(window_->GetSize()[0], GraphLayout::lowest_width);
-  const int height = std::max(window_->GetSize()[1], GraphLayout::lowest_height);
+  const int width = std::max(window().GetSize()[0], GraphLayout::lowest_width);
+  const int height = std::max(window().GetSize()[1], GraphLayout::lowest_height);
   if (width == picture_.width && height == picture_.height) return;
   picture_.width = width, picture_.height = height;
   camera_.aspect = picture_.camera().aspect;
@@ -274,8 +219,8 @@ void GraphWindow::let_rest() {
 }
 
 void GraphWindow::show() {
-  spaces_ = picture_.show_in(*window_, 1, camera_);
-  window_->Render();
+  spaces_ = picture_.show_in(window(), 1, camera_);
+  window().Render();
 }
 
 }  // namespace sightline::viz

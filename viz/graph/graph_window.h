@@ -1,31 +1,24 @@
 #pragma once
 
-#include <vtkRenderWindow.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkSmartPointer.h>
-
 #include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "viz/graph/graph_picture.h"
+#include "viz/interactive_window.h"
 
 namespace sightline::viz {
 
 /// A scene graph to take hold of. A click on a thing or on a row of the tree chooses a node; dragging a thing moves the
 /// node that is chosen, where the thing belongs to it, in the picture's plane, and shows the event's way up; when the
 /// hand lets go, the way is shown step by step, and the nodes that it passed are printed. Dragging beside things turns
-/// the view. Refers to the scene, the controller and the stream. Needs a display (see has_display) as long as it lives.
-class GraphWindow {
+/// the view. Refers to the scene, the controller and the stream.
+class GraphWindow : public InteractiveWindow {
  public:
   GraphWindow(LiveScene& scene, const Controller* controller, double duration, const std::string& title,
               const GraphLook& look, int width, int height, std::ostream& tables);
 
-  /// Until it is closed.
-  void run();
-
-  vtkRenderWindowInteractor& interactor() { return *interactor_; }
   /// What is shown.
   const GraphPicture& picture() const { return picture_; }
   /// The last one; `by` counts from where the hand took hold.
@@ -33,20 +26,18 @@ class GraphWindow {
   SpaceCamera camera() const { return camera_; }
 
  private:
-  class Events;
   enum class Hand { idle, moving, turning };
 
-  void answer(unsigned long event);
-  void press();
-  void move();
-  void release();
-  void answer_key(const std::string& key);
-  void tick();
+  void press() override;
+  void move() override;
+  void release() override;
+  void answer_key(const std::string& key) override;
+  void tick() override;
   void choose(NodeId node);
   void go_back();
   void turn(double right, double up);
-  void zoom(double factor);
-  void fit();
+  void zoom(double factor) override;
+  void fit() override;
   void let_rest();
   void show();
 
@@ -71,9 +62,7 @@ class GraphWindow {
   std::vector<GraphFrame> steps_;  ///< Still to be shown, one a tick.
   bool is_playing_ = false;
   double time_ = 0;
-  int timer_ = 0, ticks_ = 0;
-  vtkSmartPointer<vtkRenderWindow> window_;
-  vtkSmartPointer<vtkRenderWindowInteractor> interactor_;
+  int ticks_ = 0;
 };
 
 }  // namespace sightline::viz

@@ -1,8 +1,5 @@
 #include "viz/walk/walk_window.h"
 
-#include <vtkCommand.h>
-#include <vtkInteractorStyleUser.h>
-
 #include <algorithm>
 #include <cmath>
 #include <ostream>
@@ -19,75 +16,22 @@ constexpr unsigned long tick_length = 250;  // milliseconds
 
 }  // namespace
 
-class WalkWindow::Events : public vtkCommand {
- public:
-  static Events* New() { return new Events; }
-  void tell(WalkWindow& window) { window_ = &window; }
-  void Execute(vtkObject*, unsigned long event, void*) override { window_->answer(event); }
-
- private:
-  WalkWindow* window_ = nullptr;
-};
-
 WalkWindow::WalkWindow(const WalkModel& model, std::size_t step, const WalkLook& look, std::ostream& commands)
-    : model_(model),
+    : InteractiveWindow("walk " + model.structure + " on " + model.scene, look.width, look.height, 0),
+      model_(model),
       first_model_(model),
       step_(step),
       first_step_(step),
       look_(look),
       first_look_(look),
       commands_(commands),
-      window_(New<vtkRenderWindow>::New()),
-      interactor_(New<vtkRenderWindowInteractor>::New()),
-      view_(*window_, coarse_mesh(model.tracer->mesh(), most_triangles), model.tracer->mesh().size(), 1) {
-  window_->SetWindowName(("walk " + model.structure + " on " + model.scene).c_str());
-  window_->SetSize(look.width, look.height);
-  window_->SetMultiSamples(0);
-  interactor_->SetRenderWindow(window_);
-  auto style = New<vtkInteractorStyleUser>::New();
-  interactor_->SetInteractorStyle(style);
-  auto events = New<Events>::New();
-  events->tell(*this);
-  for (const auto event :
-       {vtkCommand::LeftButtonPressEvent, vtkCommand::MouseMoveEvent, vtkCommand::LeftButtonReleaseEvent,
-        vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent,
-        vtkCommand::ConfigureEvent, vtkCommand::TimerEvent}) {
-    interactor_->AddObserver(event, events);
-  }
-  style->AddObserver(vtkCommand::CharEvent, events);  // keys have no other meaning than here
+      view_(window(), coarse_mesh(model.tracer->mesh(), most_triangles), model.tracer->mesh().size(), 1) {
   show();
-}
-
-void WalkWindow::run() { interactor_->Start(); }
-
-void WalkWindow::answer(unsigned long event) {
-  switch (event) {
-    case vtkCommand::LeftButtonPressEvent:
-      return press();
-    case vtkCommand::MouseMoveEvent:
-      return move();
-    case vtkCommand::LeftButtonReleaseEvent:
-      return release();
-    case vtkCommand::MouseWheelForwardEvent:
-      return zoom(1.15);
-    case vtkCommand::MouseWheelBackwardEvent:
-      return zoom(1 / 1.15);
-    case vtkCommand::ConfigureEvent:
-      return fit();
-    case vtkCommand::TimerEvent:
-      return tick();
-    case vtkCommand::KeyPressEvent:
-      return answer_key(interactor_->GetKeySym() ? interactor_->GetKeySym() : "");
-    default:
-      return;
-  }
 }
 
 void WalkWindow::answer_key(const std::string& key) {
   const Walk& walk = model_.walk;
-  if (key == "q" || key == "Q") {
-    interactor_->ExitCallback();
-  } else if (key == "Right") {
+  if (key == "Right") {
     go_to(std::min(step_ + 1, model_.last_step()));
   } else if (key == "Left") {
     go_to(step_ > 0 ? step_ - 1 : 0);
@@ -102,7 +46,7 @@ void WalkWindow::answer_key(const std::string& key) {
   } else if (key == "space") {
     is_playing_ = !is_playing_;
     if (is_playing_ && step_ == model_.last_step()) go_to(0);
-    if (timer_ == 0) timer_ = interactor_->CreateRepeatingTimer(tick_length);
+    start_clock(tick_length);
   } else if (key == "plus" || key == "KP_Add") {
     zoom(1.15);
   } else if (key == "minus" || key == "KP_Subtract") {
@@ -141,7 +85,7 @@ void WalkWindow::go_to(std::size_t step) {
 /// The window's rows count from below, where the picture's last one is.
 Canvas::Point WalkWindow::hand_at() const {
   const double unit = look_.layout().unit();
-  const int* at = interactor_->GetEventPosition();
+  const int* at = interactor().GetEventPosition();
   return {(at[0] + 0.5) / unit, (look_.height - 0.5 - at[1]) / unit};
 }
 
@@ -178,7 +122,7 @@ void WalkWindow::move() {
   look_.azimuth = std::fmod(look_.azimuth - degrees * right, 360);
   look_.elevation = std::clamp(look_.elevation - degrees * up, -90.0, 90.0);
   view_.turn(model_, step_, look_);
-  window_->Render();
+  window().Render();
 }
 
 void WalkWindow::release() {
@@ -186,7 +130,7 @@ void WalkWindow::release() {
   hand_ = Hand::idle;
   if (hand == Hand::turning) return show();
   if (hand != Hand::holding) return;
-  const int* at = interactor_->GetEventPosition();
+  const int* at = interactor().GetEventPosition();
   if (const auto ray = ray_through_pixel(model_, look_, at[0], look_.height - 1 - at[1])) choose(*ray);
 }
 
@@ -207,8 +151,8 @@ void WalkWindow::zoom(double factor) {
 
 /// The picture grows and shrinks with the window.
 void WalkWindow::fit() {
-  const int width = std::max(window_->GetSize()[0], WalkLayout::lowest_width);
-  const int height = std::max(window_->GetSize()[1], WalkLayout::lowest_height);
+  const int width = std::max(window().GetSize()[0], WalkLayout::lowest_width);
+  const int height = std::max(window().GetSize()[1], WalkLayout::lowest_height);
   if (width == look_.width && height == look_.height) return;
   look_.width = width, look_.height = height;
   show();
@@ -216,7 +160,7 @@ void WalkWindow::fit() {
 
 void WalkWindow::show() {
   view_.show(model_, step_, look_, has_help_);
-  window_->Render();
+  window().Render();
 }
 
 }  // namespace sightline::viz

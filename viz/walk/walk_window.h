@@ -1,25 +1,20 @@
 #pragma once
 
-#include <vtkRenderWindowInteractor.h>
-
 #include <iosfwd>
 
+#include "viz/interactive_window.h"
 #include "viz/walk/walk_view.h"
 
 namespace sightline::viz {
 
 /// A walk to go through step by step; the keys are those of draw_help(). Refers to the stream that commands are printed
-/// to. Needs a display (see has_display) as long as it lives.
-class WalkWindow {
+/// to.
+class WalkWindow : public InteractiveWindow {
  public:
   static constexpr std::size_t most_triangles = 24'000;  ///< Drawn of the mesh, so that it turns without delay.
 
   WalkWindow(const WalkModel& model, std::size_t step, const WalkLook& look, std::ostream& commands);
 
-  /// Until it is closed.
-  void run();
-
-  vtkRenderWindowInteractor& interactor() { return *interactor_; }
   const WalkModel& model() const { return model_; }
   std::size_t step() const { return step_; }
   const WalkLook& look() const { return look_; }
@@ -27,19 +22,17 @@ class WalkWindow {
   bool is_playing() const { return is_playing_; }
 
  private:
-  class Events;
   enum class Hand { idle, holding, turning };
 
-  void answer(unsigned long event);
-  void answer_key(const std::string& key);
-  void press();
-  void move();
-  void release();
-  void tick();
+  void answer_key(const std::string& key) override;
+  void press() override;
+  void move() override;
+  void release() override;
+  void tick() override;
   void go_to(std::size_t step);
   void choose(const Ray<float>& ray);
-  void zoom(double factor);
-  void fit();
+  void zoom(double factor) override;
+  void fit() override;
   void show();
   Canvas::Point hand_at() const;
 
@@ -50,9 +43,6 @@ class WalkWindow {
   bool has_help_ = false, is_playing_ = false;
   Hand hand_ = Hand::idle;
   Canvas::Point from_{0, 0};  ///< Where the hand was, in units.
-  int timer_ = 0;
-  vtkSmartPointer<vtkRenderWindow> window_;
-  vtkSmartPointer<vtkRenderWindowInteractor> interactor_;
   WalkView view_;
 };
 
