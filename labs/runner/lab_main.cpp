@@ -1,0 +1,80 @@
+/// sightline-lab: the course's labs, for students and teachers.
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <thread>
+
+#include "labs/runner/commands.h"
+#include "labs/runner/prove.h"
+#include "viz/run_tool.h"
+
+namespace sightline::labs {
+namespace {
+
+constexpr const char* about =
+    R"(Labs: learn how ray tracing divides space by making each part work. You write one part at a time; checks ask it
+questions, and show the smallest one that it answers wrongly, in words and as a picture.
+
+A first hour
+  ./sightline lab                 the labs, and where you stand
+  ./sightline lab start 00        copies what you are to complete into labs/mine/00-first-picture
+  ./sightline lab check 00        what holds already, and what does not
+  ./sightline lab hint 00         a push in the right direction; ask again for a stronger one
+  ./sightline lab view 00         the picture that appears when it works
+
+Exit status: 0 everything passes, 1 something does not, 2 wrong usage.)";
+
+int run_tool_of(int argc, char** argv) {
+  CLI::App app(about, "sightline-lab");
+  app.require_subcommand(0, 1);
+  Request request;
+  std::string mine;
+  app.add_option("--mine", mine, "Your folder; default labs/mine")->option_text("DIR");
+  const auto add = [&](const char* name, const char* help, bool has_lab) {
+    CLI::App* command = app.add_subcommand(name, help);
+    command->fallthrough();
+    if (has_lab) command->add_option("LAB", request.lab, "A number or a name, such as 10 or kd-tree")->required();
+    return command;
+  };
+  const CLI::App* list = add("list", "The labs, and where you stand", false);
+  CLI::App* start = add("start", "Copy what you are to complete into your folder", true);
+  start->add_flag("--again", request.replaces, "Begin anew; what you have written is kept beside it as FILE.before");
+  CLI::App* check = add("check", "Compile what you have written, and ask it", true);
+  CLI::App* hint = add("hint", "A hint for the first check that fails; ask again for a stronger one", true);
+  CLI::App* view = add("view", "The picture that appears when it works", true);
+  CLI::App* replay = add("replay", "Ask one case again, and draw it", true);
+  replay->add_option("--case", request.at, "As a failure prints it")->required()->option_text("CHECK:NUMBERS");
+  check->add_option("--only", request.check, "One check alone")->option_text("CHECK");
+  check->add_option("--json", request.json, "The report as a file too")->option_text("FILE");
+  for (CLI::App* command : {check, hint}) {
+    command->add_option("--seed", request.seed, "Of what is drawn by chance; default 1")->option_text("N");
+  }
+  bool is_plain = false;
+  for (CLI::App* command : {check, replay}) command->add_flag("--no-pictures", is_plain, "Words are enough");
+  CLI::App* prove = add("prove", "For who writes labs: try starters, solutions and mutants", false);
+  std::vector<std::string> proven;
+  bool is_quick = false;
+  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  prove->add_option("LAB", proven, "Which; default all");
+  prove->add_flag("--solutions", is_quick, "Starters and solutions only");
+  CLI::Option* many = prove->add_option("--threads", threads, "At a time; default all");
+  many->check(CLI::Range(1, 1024))->option_text("N");
+  if (const auto status = parse(app, argc, argv)) return *status;
+  request.has_pictures = !is_plain;
+  const Workshop workshop(mine);
+  if (start->parsed()) return start_lab(workshop, request);
+  if (check->parsed()) return check_lab(workshop, request);
+  if (hint->parsed()) return hint_lab(workshop, request);
+  if (view->parsed()) return view_lab(workshop, request);
+  if (replay->parsed()) return replay_case(workshop, request);
+  if (prove->parsed()) return prove_labs(workshop, proven, !is_quick, threads);
+  if (list->parsed() || app.get_subcommands().empty()) return list_labs(workshop);
+  return wrong_usage;
+}
+
+}  // namespace
+}  // namespace sightline::labs
+
+int main(int argc, char** argv) {
+  return sightline::run_tool("sightline-lab", [&] { return sightline::labs::run_tool_of(argc, argv); });
+}
