@@ -310,7 +310,7 @@ Check picture_check() {
 }  // namespace
 
 Lab first_picture_lab() {
-  Lab lab{"00", "first-picture", "First picture", {"sphere.h"}, {}, {}, false};
+  Lab lab{"00", "first-picture", "First picture", {"sphere.h"}, {}, {}, ""};
   lab.checks = {camera_check(),
                 hit_check("hit", "Everything round in a picture is this function.",
                           {"Put o + t d into |p - c|^2 = r^2 and sort by powers of t.",

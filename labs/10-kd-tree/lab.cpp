@@ -101,7 +101,7 @@ Check sides_check() {
 }  // namespace
 
 Lab kd_tree_lab() {
-  Lab lab{"10", "kd-tree", "Kd-tree", {"kd_tree.h"}, {}, picture_of_structure, true};
+  Lab lab{"10", "kd-tree", "Kd-tree", {"kd_tree.h"}, {}, picture_of_structure, "student::KdTree"};
   lab.checks = {split_cost_check(), sides_check()};
   for (Check& check : structure_checks({.walk = "5. The walk",
                       .construction = "4. The best plane",

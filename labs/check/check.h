@@ -64,7 +64,7 @@ struct Lab {
   std::vector<Check> checks;
   /// What appears when it works. \throws SubjectTrouble
   std::function<Drawing(Subject&)> picture;
-  bool is_structure = false;  ///< That the student writes one that satisfies the contract of accelerators.
+  std::string structure;  ///< The class that satisfies the contract of accelerators, where one is written.
 
   std::string folder() const { return number + "-" + name; }
 };

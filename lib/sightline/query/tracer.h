@@ -111,7 +111,7 @@ struct AcceleratorInfo {
   std::vector<Option> options;
 };
 
-/// The registry, in its order.
+/// The registry, in its order, then what was loaded (structure_plugin.h), which ends what was got before.
 std::span<const AcceleratorInfo> accelerator_infos();
 
 }  // namespace sightline
