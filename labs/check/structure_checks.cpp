@@ -108,6 +108,26 @@ std::optional<Trouble> few_trouble(Subject& subject) {
   return hit_trouble<float>(subject, std::vector<Triangle>(20, point), {{{1, 1, 0}, {0, 0, 1}}});
 }
 
+/// Rays that hit nothing by definition (ray.h), in a scene that every other ray would have a long way through.
+std::optional<Trouble> broken_trouble(Subject& subject) {
+  build(subject, budget_triangles());
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+  const std::vector<Ray<float>> rays{{{0, 0, nan}, {1, 0, 0}},       {{0, 0, 0}, {nan, 1, 0}},
+                                     {{0, infinity, 0}, {1, 1, 0}},  {{0, 0, 0}, {0, 0, 0}},
+                                     {{0, 0, 0}, {0, -infinity, 0}}, {{0, 0, 0}, {1, 2, 3}, 2, 1}};
+  for (const Ray<float>& ray : rays) {
+    const auto traced = subject.ask<TracedRays<float>>("trace", std::vector{ray});
+    if (traced.stats.leaves == 0 && traced.stats.nodes <= 1) continue;
+    std::ostringstream input;
+    input << "ray from " << text_of(ray.origin) << " along " << text_of(ray.direction) << ", t from " << ray.t_min
+          << " to " << ray.t_max;
+    return Trouble{
+        "no leaf opened, and at most one node, by the " + input.str(),
+        std::to_string(traced.stats.leaves) + " leaves and " + std::to_string(traced.stats.nodes) + " nodes"};
+  }
+  return std::nullopt;
+}
+
 std::optional<Trouble> copies_trouble(Subject& subject) {
   const std::vector<Triangle> copies(2000, unit);
   const auto facts = build(subject, copies);
@@ -253,6 +273,12 @@ std::vector<Check> structure_checks(const StructureTopics& topics) {
                   {"Which cell holds the triangle that is missed, and at which node did the ray turn away from it?",
                    "Entering is compared with leaving. Are both right where the direction is negative?"},
                   fine, with(3000, 0x1p-10f), 400));
+  checks.push_back(fixed_check(
+      "broken-rays", topics.walk,
+      "One NaN in a picture's first bounce becomes a ray that visits everything, and then a picture that takes hours.",
+      {"PaddedRay makes the range of a broken ray empty: padded.t_min lies above padded.t_max.",
+       "Is it ray.t_max or padded.t_max that you clip with?"},
+      "rays with NaN, with infinity, without a direction, with an empty range", broken_trouble));
   checks.push_back(fixed_check(
       "copies", topics.construction, "Models hold the same triangle twice, or two thousand times.",
       {"What ends your division where no plane and no grouping helps?"}, "2000 equal triangles", copies_trouble));

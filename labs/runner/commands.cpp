@@ -167,20 +167,4 @@ int replay_case(const Workshop& workshop, const Request& request) {
   return outcome.state == Outcome::State::passed ? success : failure;
 }
 
-int view_lab(const Workshop& workshop, const Request& request) {
-  const Lab& lab = lab_called(request.lab);
-  const fs::path source = started(workshop, lab);
-  const Compiled compiled = compile_subject(workshop, lab, source, source / ".build");
-  if (!compiled.is_built) {
-    std::cout << compiled.messages;
-    return failure;
-  }
-  Subject subject({compiled.program});
-  const fs::path picture = source / "pictures" / (lab.name + ".png");
-  std::string problem;
-  if (!draw_picture(workshop, lab.picture(subject), picture, problem)) throw std::runtime_error(problem);
-  std::printf("%s\n", Workshop::shown(picture).c_str());
-  return success;
-}
-
 }  // namespace sightline::labs

@@ -42,6 +42,13 @@ int run_tool_of(int argc, char** argv) {
   CLI::App* check = add("check", "Compile what you have written, and ask it", true);
   CLI::App* hint = add("hint", "A hint for the first check that fails; ask again for a stronger one", true);
   CLI::App* view = add("view", "The picture that appears when it works", true);
+  CLI::App* bench =
+      add("bench", "Your structure beside ours: hits verified, then building, memory, rays a second", true);
+  CLI::App* own = add("mine", "Structures that you have put into labs/mine: the laws, the benchmark, a picture", false);
+  own->add_option("NAME", request.lab, "The file's name without .h; default all");
+  view->add_option("WORDS", request.words,
+                   "Of a structure: walk, partitions, compare or build, and their options after --");
+  bench->add_option("WORDS", request.words, "For sightline-bench, after --; default --scene teapot --quick");
   CLI::App* replay = add("replay", "Ask one case again, and draw it", true);
   replay->add_option("--case", request.at, "As a failure prints it")->required()->option_text("CHECK:NUMBERS");
   check->add_option("--only", request.check, "One check alone")->option_text("CHECK");
@@ -66,6 +73,8 @@ int run_tool_of(int argc, char** argv) {
   if (check->parsed()) return check_lab(workshop, request);
   if (hint->parsed()) return hint_lab(workshop, request);
   if (view->parsed()) return view_lab(workshop, request);
+  if (bench->parsed()) return bench_lab(workshop, request);
+  if (own->parsed()) return try_mine(workshop, request);
   if (replay->parsed()) return replay_case(workshop, request);
   if (prove->parsed()) return prove_labs(workshop, proven, !is_quick, threads);
   if (list->parsed() || app.get_subcommands().empty()) return list_labs(workshop);

@@ -114,7 +114,7 @@ template <class T, LeafVisitor<T> Visit, class Probe>
 void KdTree::traverse(const Ray<T>& ray, Visit&& visit, Probe& probe) const {
   if (nodes_.empty()) return;
   const PaddedRay<T> padded(ray, bounds_);
-  const Interval<T> range = padded.clip(bounds_, ray.t_max);
+  const Interval<T> range = padded.clip(bounds_, padded.t_max);  // empty where the ray is broken
   if (range.is_empty()) return;
   struct Visited {
     std::uint32_t node;
