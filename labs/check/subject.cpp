@@ -165,8 +165,17 @@ void Subject::read_all(char* bytes, std::size_t size, Clock::time_point deadline
 }
 
 std::string Subject::exchange(const std::string& message) {
+  if (limits_.all.count() > 0 && spent_ > limits_.all) {
+    stop();
+    throw SubjectTrouble(Kind::silence, "no answer: the program has had all of its " + seconds(limits_.all));
+  }
+  struct Stopwatch {
+    Clock::duration& spent;
+    Clock::time_point start = Clock::now();
+    ~Stopwatch() { spent += Clock::now() - start; }
+  } stopwatch{spent_};
   if (child_ < 0) start();
-  const auto deadline = Clock::now() + limits_.answer;
+  const auto deadline = stopwatch.start + limits_.answer;
   std::uint64_t size = message.size();
   write_all(reinterpret_cast<const char*>(&size), sizeof size, deadline);
   write_all(message.data(), message.size(), deadline);

@@ -18,6 +18,7 @@ namespace sightline::labs {
 struct SubjectLimits {
   std::chrono::milliseconds answer{5000};         ///< For each question.
   std::uint64_t memory = std::uint64_t{4} << 30;  ///< Bytes of address space.
+  std::chrono::seconds all{0};                    ///< For all questions together; 0 where that does not matter.
 };
 
 /// No answer, or none that can be read; what() tells why in words that begin a line: "a crash (signal 11, ...)".
@@ -81,6 +82,7 @@ class Subject {
 
   std::vector<std::string> command_;
   SubjectLimits limits_;
+  std::chrono::steady_clock::duration spent_{};  ///< Waiting for answers.
   pid_t child_ = -1;
   int questions_ = -1, answers_ = -1;
   int printed_ = -1;  ///< A file without a name that takes its standard output and error.

@@ -13,7 +13,7 @@
 #include "labs/runner/compile.h"
 #include "labs/runner/pictures.h"
 #include "labs/runner/session.h"
-#include "labs/runner/starter.h"
+#include "labs/runner/submission.h"
 #include "labs/runner/tell.h"
 #include "sightline/io/file_error.h"
 #include "sightline/io/output_file.h"
@@ -71,7 +71,7 @@ int list_labs(const Workshop& workshop) {
 
 int start_lab(const Workshop& workshop, const Request& request) {
   const Lab& lab = lab_called(request.lab);
-  const fs::path folder = workshop.work_of(lab), solution = workshop.folder_of(lab) / "solution";
+  const fs::path folder = workshop.work_of(lab);
   for (const std::string& name : lab.files) {
     if (fs::exists(folder / name) && !request.replaces) {
       throw FileError(Workshop::shown(folder / name), 0, "a lab that is not started, or --again to begin it anew",
@@ -79,11 +79,9 @@ int start_lab(const Workshop& workshop, const Request& request) {
     }
   }
   for (const std::string& name : lab.files) {
-    std::ifstream in(solution / name);
-    if (!in) throw FileError(solution / name, 0, "the lab's file", "none");
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::string starter = workshop.starter_text(lab, name);
     if (fs::exists(folder / name)) fs::rename(folder / name, folder / (name + ".before"));
-    write_text(folder / name, starter_of(solution / name, text));
+    write_text(folder / name, starter);
   }
   const std::string shown = Workshop::shown(folder);
   std::printf("Lab %s, %s\n", lab.number.c_str(), lab.title.c_str());
@@ -165,6 +163,17 @@ int replay_case(const Workshop& workshop, const Request& request) {
   }
   Teller(std::cout, has_terminal()).tell(workshop, lab, outcome);
   return outcome.state == Outcome::State::passed ? success : failure;
+}
+
+int submit_lab(const Workshop& workshop, const Request& request) {
+  const Lab& lab = lab_called(request.lab);
+  Request silent = request;
+  silent.has_pictures = false;
+  const Report report = checked(workshop, lab, silent);
+  const fs::path archive = pack_submission(workshop, lab);
+  std::printf("Lab %s %s. To hand in: %s\n", lab.number.c_str(), state_of(report).c_str(),
+              Workshop::shown(archive).c_str());
+  return success;
 }
 
 }  // namespace sightline::labs

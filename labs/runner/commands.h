@@ -26,6 +26,7 @@ int start_lab(const Workshop& workshop, const Request& request);
 int check_lab(const Workshop& workshop, const Request& request);
 int hint_lab(const Workshop& workshop, const Request& request);
 int replay_case(const Workshop& workshop, const Request& request);
+int submit_lab(const Workshop& workshop, const Request& request);
 int view_lab(const Workshop& workshop, const Request& request);
 int bench_lab(const Workshop& workshop, const Request& request);
 /// Structures of one's own in labs/mine: laws, benchmark, picture.

@@ -2,10 +2,15 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <optional>
+#include <random>
 #include <thread>
 
 #include "labs/runner/commands.h"
+#include "labs/runner/grade.h"
+#include "labs/runner/handout.h"
 #include "labs/runner/prove.h"
+#include "labs/runner/watch.h"
 #include "viz/run_tool.h"
 
 namespace sightline::labs {
@@ -40,6 +45,7 @@ int run_tool_of(int argc, char** argv) {
   CLI::App* start = add("start", "Copy what you are to complete into your folder", true);
   start->add_flag("--again", request.replaces, "Begin anew; what you have written is kept beside it as FILE.before");
   CLI::App* check = add("check", "Compile what you have written, and ask it", true);
+  CLI::App* watch = add("watch", "Check whenever you save; keys: n next, h hint, l list, c check, q quit", true);
   CLI::App* hint = add("hint", "A hint for the first check that fails; ask again for a stronger one", true);
   CLI::App* view = add("view", "The picture that appears when it works", true);
   CLI::App* bench =
@@ -58,6 +64,27 @@ int run_tool_of(int argc, char** argv) {
   }
   bool is_plain = false;
   for (CLI::App* command : {check, replay}) command->add_flag("--no-pictures", is_plain, "Words are enough");
+  CLI::App* submit = add("submit", "Pack what you hand in: labs/mine/submissions/NN-name.tar.gz", true);
+  CLI::App* grading = add("grade", "For teachers: grade submissions, each where it can harm nothing", false);
+  GradeRequest grades;
+  std::vector<std::string> submissions;
+  std::string grades_folder = "grades";
+  std::optional<std::uint64_t> grade_seed;
+  grades.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  grading->add_option("DIR", submissions, "Folders or archives, a student each")->required();
+  grading->add_option("--lab", grades.labs, "Only these; default all that are handed in")
+      ->delimiter(',')
+      ->option_text("NN,...");
+  grading->add_option("--out", grades_folder, "Where grades go; default grades")->option_text("DIR");
+  grading->add_option("--seed", grade_seed, "Of the cases; default one that nobody knows, and that is told")
+      ->option_text("N");
+  grading->add_option("--threads", grades.threads, "Submissions at a time; default all processors")
+      ->check(CLI::Range(1, 1024))
+      ->option_text("N");
+  grading->add_flag("--trusted", grades.is_trusted, "Without a sandbox: only for programs that you would run yourself");
+  CLI::App* handout = add("handout", "For teachers: the repository as students get it, without solutions", false);
+  std::string handout_folder;
+  handout->add_option("DIR", handout_folder, "A new folder")->required();
   CLI::App* prove = add("prove", "For who writes labs: try starters, solutions and mutants", false);
   std::vector<std::string> proven;
   bool is_quick = false;
@@ -71,10 +98,20 @@ int run_tool_of(int argc, char** argv) {
   const Workshop workshop(mine);
   if (start->parsed()) return start_lab(workshop, request);
   if (check->parsed()) return check_lab(workshop, request);
+  if (watch->parsed()) return watch_lab(workshop, request);
+  if (handout->parsed()) return write_handout(workshop, handout_folder);
   if (hint->parsed()) return hint_lab(workshop, request);
   if (view->parsed()) return view_lab(workshop, request);
   if (bench->parsed()) return bench_lab(workshop, request);
   if (own->parsed()) return try_mine(workshop, request);
+  if (submit->parsed()) return submit_lab(workshop, request);
+  if (grading->parsed()) {
+    grades.submissions.assign(submissions.begin(), submissions.end());
+    grades.out = grades_folder;
+    grades.seed = grade_seed ? *grade_seed : std::random_device()();
+    std::cout << "seed " << grades.seed << '\n';
+    return grade(workshop, grades);
+  }
   if (replay->parsed()) return replay_case(workshop, request);
   if (prove->parsed()) return prove_labs(workshop, proven, !is_quick, threads);
   if (list->parsed() || app.get_subcommands().empty()) return list_labs(workshop);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "labs/labs.h"
+#include "labs/runner/starter.h"
 #include "sightline/io/file_error.h"
 #include "viz/child_process.h"
 
@@ -29,6 +30,27 @@ Toolchain toolchain_from(const std::filesystem::path& file, std::filesystem::pat
 Workshop::Workshop(std::filesystem::path mine) : programs_(viz::program_folder()) {
   toolchain_ = toolchain_from(programs_.parent_path() / "labs" / "build.json", labs_);
   mine_ = mine.empty() ? labs_ / "mine" : std::filesystem::absolute(mine);
+}
+
+std::string Workshop::starter_text(const Lab& lab, const std::string& name) const {
+  const auto text_in = [](const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(in), {}};
+  };
+  const auto starter = folder_of(lab) / "starter" / name, solution = folder_of(lab) / "solution" / name;
+  if (std::filesystem::exists(starter)) return text_in(starter);
+  if (!std::filesystem::exists(solution)) throw FileError(starter, 0, "the lab's file", "none");
+  return starter_of(solution, text_in(solution));
+}
+
+std::vector<std::filesystem::path> Workshop::sources() const {
+  std::vector<std::filesystem::path> paths{labs_ / "kit", labs_.parent_path() / "lib",
+                                           toolchain_.prelude.parent_path()};
+  for (const Lab& lab : all_labs()) paths.push_back(folder_of(lab) / "subject.cpp");
+  for (const std::string& word : toolchain_.libraries) {
+    if (word.starts_with("/")) paths.emplace_back(word);
+  }
+  return paths;
 }
 
 std::string Workshop::shown(const std::filesystem::path& path) {

@@ -25,10 +25,15 @@ class Workshop {
   const Toolchain& toolchain() const { return toolchain_; }
   /// A lab's own folder: handout, starter, solution.
   std::filesystem::path folder_of(const Lab& lab) const { return labs_ / lab.folder(); }
+  /// A file of the lab as it is to be completed: in a handout its starter, else the solution with holes.
+  /// \throws FileError where there is neither
+  std::string starter_text(const Lab& lab, const std::string& name) const;
   /// The student's folder of a lab.
   std::filesystem::path work_of(const Lab& lab) const { return mine_ / lab.folder(); }
   const std::filesystem::path& mine() const { return mine_; }
   const std::filesystem::path& labs() const { return labs_; }
+  /// What compiling a student's program reads: sources, the prelude, the libraries.
+  std::vector<std::filesystem::path> sources() const;
   /// Another program of this build.
   std::filesystem::path program(const std::string& name) const { return programs_ / name; }
   /// A path as a person in this folder would type it.
