@@ -122,7 +122,7 @@ class Drawing {
   void draw_walks() {
     std::size_t most = 1;
     for (const Walk& walk : findings().walks) most = std::max(most, openings(walk).size());
-    const WalkSpace space{mesh(), picture_.surface, picture_.camera(), most};
+    const ComparedSpace space{mesh(), picture_.surface, picture_.camera(), most};
     for (std::size_t i = 0; i < picture_.shown().size(); ++i) {
       const std::size_t which = picture_.shown()[i];
       const Walk& walk = findings().walks[which];
@@ -160,14 +160,14 @@ class Drawing {
   }
 
   /// What is around the hit, larger, in the corner that is farthest from it.
-  void draw_close(const WalkSpace& space, const Walk& walk, const PanelFrame& frame) {
+  void draw_close(const ComparedSpace& space, const Walk& walk, const PanelFrame& frame) {
     const auto hit = place_of_hit(walk, frame);
     if (!hit) return;
     const double width = 0.31 * frame.width, height = 0.42 * frame.height;
     const bool is_right = hit->x < frame.x + frame.width / 2, is_below = hit->y < frame.y + frame.height / 2;
     const PanelFrame inset{frame.x + (is_right ? frame.width - width : 0),
                            frame.y + (is_below ? frame.height - height : 0), width, height};
-    const WalkSpace close = space.close_to(point_of_hit(walk), width / height);
+    const ComparedSpace close = space.close_to(point_of_hit(walk), width / height);
     for (const auto& renderer : close.renderers(walk, inset, place_, 2)) renderers_.push_back(renderer);
     draw_border(over_, inset);
     const double factor = space.camera.half_height_at(point_of_hit(walk)) /

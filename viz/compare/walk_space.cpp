@@ -156,20 +156,20 @@ vtkSmartPointer<vtkPolyData> smooth_surface(const TriangleMesh& mesh) {
   return normals->GetOutput();
 }
 
-WalkSpace WalkSpace::close_to(const Vec3d& place, double aspect) const {
+ComparedSpace ComparedSpace::close_to(const Vec3d& place, double aspect) const {
   const double half = 0.022 * glm::length(Vec3d(mesh.bounds().extent()));
   std::vector<Vec3d> corners;
   for (const double x : {-half, half}) {
     for (const double y : {-half, half}) corners.push_back(x * camera.axes.x + y * camera.axes.y);
   }
-  WalkSpace close = *this;
+  ComparedSpace close = *this;
   close.camera = fit_camera(camera.axes, corners, aspect, 1);  // around the origin, where it is exact
   close.camera.eye += place;
   close.camera.focus += place;
   return close;
 }
 
-std::vector<vtkSmartPointer<vtkRenderer>> WalkSpace::renderers(const Walk& walk, const PanelFrame& frame,
+std::vector<vtkSmartPointer<vtkRenderer>> ComparedSpace::renderers(const Walk& walk, const PanelFrame& frame,
                                                                const PartPlace& place, int layer) const {
   auto below = place.renderer(frame), above = place.renderer(frame);
   below->SetLayer(layer);

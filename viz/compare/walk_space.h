@@ -21,7 +21,7 @@ Rgb opening_color(std::size_t order, std::size_t most);
 /// The mesh as it is drawn in every panel: made once.
 vtkSmartPointer<vtkPolyData> smooth_surface(const TriangleMesh& mesh);
 
-struct WalkSpace {
+struct ComparedSpace {
   const TriangleMesh& mesh;
   vtkSmartPointer<vtkPolyData> surface;
   SpaceCamera camera;
@@ -32,7 +32,7 @@ struct WalkSpace {
   std::vector<vtkSmartPointer<vtkRenderer>> renderers(const Walk& walk, const PanelFrame& frame, const PartPlace& place,
                                                       int layer) const;
   /// The same direction, but close to what the ray hits: a picture of this width over height.
-  WalkSpace close_to(const Vec3d& place, double aspect) const;
+  ComparedSpace close_to(const Vec3d& place, double aspect) const;
 };
 
 }  // namespace sightline::viz
