@@ -119,10 +119,24 @@ done
 while IFS= read -r line; do
   file=${line%%:*} lab=${line#labs/}
   lab=${lab%%/*}
-  [[ ! $line =~ \"(labs|\.\.)/([^/\"]*)/ || ${BASH_REMATCH[2]} == "$lab" ]] || violation "include: $file: no lab includes another"
+  # What all labs share has no number.
+  [[ ! $line =~ \"(labs|\.\.)/([0-9][^/\"]*)/ || ${BASH_REMATCH[2]} == "$lab" ]] || violation "include: $file: no lab includes another"
 done < <([[ ! -d labs ]] || grep -r -H -E '^ *# *include *"' labs || true)
 
 # ---- Sizes and names
+
+# Two types of one name in one namespace: a compiler never sees both, and the linker keeps one's functions for both.
+while IFS= read -r line; do violation "type: $line"; done < <(
+  printf '%s\n' "${files[@]}" | grep -E '^(lib|bench|viz|labs/[a-z]+|tests/hard_cases)/.*\.h$' | tr '\n' '\0' | xargs -0 -r awk '
+    FNR == 1 { depth = 0 }
+    /^namespace[ {]/ { within[++depth] = $2 == "{" ? FILENAME : $2 }
+    /^}  \/\/ namespace/ && depth > 0 { --depth }
+    /^(struct|class) [A-Za-z0-9_]+ .*{/ {
+      name = $2
+      for (i = depth; i > 0; --i) name = within[i] "::" name
+      if (name in file && file[name] != FILENAME) print name " is defined in " file[name] " and in " FILENAME
+      file[name] = FILENAME
+    }')
 
 while read -r lines file; do
   ((lines <= longest_file)) || [[ $file == total ]] || violation "size: $file has $lines lines, more than $longest_file"

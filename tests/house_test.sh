@@ -37,6 +37,7 @@ done
 breaks 'planted_f.cpp: math may not include <tbb/task_group.h>' $lib/math/planted_f.cpp "$(include '<tbb/task_group.h>')"
 breaks 'lib names headers as' $lib/query/planted_g.cpp "$(include '"../math/vec.h"')"
 breaks 'room: planted_room has no line' $lib/planted_room/README.md room
+breaks 'sightline::Ray is defined in' lib/sightline/shape/planted.h "$(printf '#pragma once\nnamespace sightline {\nstruct Ray {\n};\n}  // namespace sightline')"
 breaks 'lab.cpp: no lab includes another' labs/01-planted/lab.cpp "$(include '"labs/02-planted/answer.h"')"
 breaks 'long.cpp has 401 lines' tests/planted/long.cpp "$(yes '//' | head -n 401)"
 breaks 'large.txt has 1048577 bytes' tests/planted/large.txt

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <optional>
@@ -35,7 +36,11 @@ int run_tool(std::string_view name, Run&& run) {
     return status;
   };
   try {
-    return run();
+    const int status = run();
+    std::cout.flush();
+    const bool is_written = std::cout.good() && std::fflush(stdout) == 0;
+    if (status == success && !is_written) throw std::runtime_error("standard output: cannot be written");
+    return status;
   } catch (const std::invalid_argument& error) {
     return report(error, wrong_usage);
   } catch (const std::exception& error) {

@@ -12,6 +12,10 @@ for word in --case --group --level --accel --quick --list --explain --out --json
   expect_prints "$word"
 done
 
+run bash -c '"$0" --case sph-far --quick >/dev/full' "$stability"
+expect_exit 1
+expect_says 'standard output: cannot be written'
+
 # ---- What is refused, before anything is asked
 
 refuses 2 --no-such-option "$stability" --no-such-option

@@ -93,9 +93,9 @@ void compare(const Solid& solid, const Ray<double>& ray, bool is_scaled, Counts&
     }
     ++counts.spans;
     EXPECT_NE(span.kind, Kind::empty);
-    const auto same = [&](const detail::QuickSpan::End& end, const Enclosure& known, std::uint32_t index) {
+    const auto same = [&](const detail::QuickSpan::End& end, const Interval<double>& known, std::uint32_t index) {
       if (span.kind != Kind::span) return;
-      const Enclosure expected = LaneSpans<level>::around(end.t, end.radius);
+      const Interval<double> expected = LaneSpans<level>::around(end.t, end.radius);
       EXPECT_EQ(expected.lo, known.lo);
       EXPECT_EQ(expected.hi, known.hi);
       if (!lanes[lane].is_round || end.face != 0) return;

@@ -45,11 +45,10 @@ void judge_broken(Trial& trial, const Tracer& tracer, const Ray<T>& ray, Level l
   Hit<T> hit, streamed;
   std::uint8_t any = 1;
   TraversalStats stats;
-  const Level asked = std::min(level, Level::watertight);
   const std::span<const Ray<T>> one(&ray, 1);
-  tracer.closest_hits(one, std::span(&hit, 1), stats, asked);
-  tracer.stream_closest_hits(one, std::span(&streamed, 1), asked);
-  tracer.any_hits(one, std::span(&any, 1), asked);
+  tracer.closest_hits(one, std::span(&hit, 1), stats, level);
+  tracer.stream_closest_hits(one, std::span(&streamed, 1), level);
+  tracer.any_hits(one, std::span(&any, 1), level);
   const bool is_bounded = stats.nodes <= 1 && stats.leaves == 0;
   const bool is_miss = !hit.is_hit() && !streamed.is_hit() && any == 0 && tracer.all_hits(ray).empty();
   trial.of(tracer.name(), level).decide(is_miss && is_bounded, [&] {

@@ -111,16 +111,17 @@ void MeshQuestion::judge(Tally& tally, std::size_t i, const Hit<float>& hit) con
   judge_closest(tally, i, hit, fast_share);
 }
 
-/// Which triangles are crossed, and that the nearest hit is one of them.
-void MeshQuestion::judge_decisions(Tally& tally, std::size_t i, const Hit<double>& hit,
-                                   const std::vector<Hit<double>>& all) const {
+void MeshQuestion::judge_exact(Tally& tally, std::size_t i, const Hit<double>& hit,
+                               const std::vector<Hit<double>>& all) const {
   const auto& truth = truths_[i];
   std::vector<std::uint32_t> found, expected;
   for (const Hit<double>& one : all) found.push_back(one.prim_id);
   for (const TrueCrossing& one : truth) expected.push_back(one.id);
   std::ranges::sort(found), std::ranges::sort(expected);
-  const auto nearest = std::ranges::find(truth, hit.prim_id, &TrueCrossing::id);
-  tally.decide(found == expected && hit.is_hit() == (nearest != truth.end()), [&] {
+  const auto met = std::ranges::find(truth, hit.prim_id, &TrueCrossing::id);
+  const bool is_nearest =
+      met == truth.end() ? truth.empty() && !hit.is_hit() : hit.t == truth[0].t && met->t == truth[0].t;
+  tally.decide(found == expected && is_nearest, [&] {
     return example(i, [&] {
       return text_of_hit(hit) + ", " + std::to_string(found.size()) + " crossed of " + std::to_string(expected.size());
     });
@@ -132,10 +133,9 @@ void MeshQuestion::ask_numbers(Trial& trial, const Tracer& tracer, std::span<con
                                double share) const {
   std::vector<Hit<T>> hits(rays.size()), streamed(rays.size());
   std::vector<std::uint8_t> any(rays.size());
-  const Level asked = std::min(level, Level::watertight);
-  tracer.closest_hits(rays, hits, asked);
-  tracer.stream_closest_hits(rays, streamed, asked);
-  tracer.any_hits(rays, any, asked);
+  tracer.closest_hits(rays, hits, level);
+  tracer.stream_closest_hits(rays, streamed, level);
+  tracer.any_hits(rays, any, level);
   Tally& tally = trial.of(tracer.name(), level);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     judge_closest(tally, i, hits[i], share);
@@ -173,10 +173,10 @@ void MeshQuestion::ask(Trial& trial, const TracedMesh& traced) const {
     ask_numbers<float>(trial, *tracer, rays_, Level::fast, fast_share);
     ask_numbers<float>(trial, *tracer, rays_, Level::watertight, double_share);
     ask_numbers<double>(trial, *tracer, wide_, Level::precise, double_share);
-    Tally& decisions = trial.of(tracer->name(), Level::exact);
+    Tally& exact = trial.of(tracer->name(), Level::exact);
     std::vector<Hit<double>> hits(wide_.size());
-    tracer->closest_hits(std::span<const Ray<double>>(wide_), hits);
-    for (std::size_t i = 0; i < wide_.size(); ++i) judge_decisions(decisions, i, hits[i], tracer->all_hits(wide_[i]));
+    tracer->closest_hits(std::span<const Ray<double>>(wide_), hits, Level::exact);
+    for (std::size_t i = 0; i < wide_.size(); ++i) judge_exact(exact, i, hits[i], tracer->all_hits(wide_[i]));
   }
   ask_crossings(trial);
 }

@@ -56,9 +56,9 @@ class MeshQuestion {
   std::size_t hits() const;
 
   /// Every structure, at every level: the nearest hit, whether there is one, and, of double rays, all of them.
-  ///   fast, watertight: rays of float. precise: the same rays in double, decisions and numbers. exact: what double
-  ///   rays decide exactly, which triangles are crossed. Numbers that are rounded correctly, and so the order of what
-  ///   is less than their last place apart, only triangle_crossings() has; it is asked as well.
+  ///   fast, watertight: rays of float. precise: the same rays in double, decisions and numbers. exact: that t of the
+  ///   nearest hit is the nearest double, of a triangle that has this t; and which triangles are crossed in all. The
+  ///   order of what is less than a last place apart only triangle_crossings() has; it is asked as well.
   void ask(Trial& trial, const TracedMesh& traced) const;
   /// Brute force with that test.
   void ask(Tally& tally, NaiveTest test) const;
@@ -71,7 +71,7 @@ class MeshQuestion {
   template <class T>
   void judge_closest(Tally& tally, std::size_t i, const Hit<T>& hit, double share) const;
   void judge_any(Tally& tally, std::size_t i, bool is_hit) const;
-  void judge_decisions(Tally& tally, std::size_t i, const Hit<double>& hit, const std::vector<Hit<double>>& all) const;
+  void judge_exact(Tally& tally, std::size_t i, const Hit<double>& hit, const std::vector<Hit<double>>& all) const;
   template <class T>
   void ask_numbers(Trial& trial, const Tracer& tracer, std::span<const Ray<T>> rays, Level level, double share) const;
   void ask_crossings(Trial& trial) const;

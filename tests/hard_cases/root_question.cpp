@@ -24,6 +24,23 @@ bool is_off_by(const TrueNumber& truth, double t, double bound) {
   return std::isfinite(t) && truth(t, -bound) >= 0 && truth(t, bound) <= 0;
 }
 
+/// Of a root at the level precise, as a share of the farthest.
+constexpr double most_radius = 0x1p-40;
+/// Of a simple root of a quartic, of what the coefficients' own digits leave open.
+constexpr double most_of_coefficients = 0x1p-46;
+
+/// The sum of |c_i t^i| over |p'(t)|: how far relative changes of the coefficients, times this, move the root at t.
+double condition_of(const std::vector<Rational>& coefficients, double t) {
+  const Rational at(t);
+  Rational power = 1, sum = 0, slope = 0;
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    sum += abs(coefficients[i] * power);
+    if (i + 1 < coefficients.size()) slope += Rational(i + 1) * coefficients[i + 1] * power;
+    power *= at;
+  }
+  return slope == 0 ? 0 : static_cast<double>(Rational(sum / abs(slope)));
+}
+
 double error_of(double t, double truth) { return t == truth ? 0 : std::fabs((t - truth) / truth); }
 
 }  // namespace
@@ -55,7 +72,9 @@ RootQuestion::RootQuestion(std::string inputs, const std::vector<Rational>& coef
       multiplicity += count - before[m];
       before[m] = count;
     }
-    roots_.push_back({distinct.ends[i], distinct.nearest[i], multiplicity});
+    const bool is_conditioned = coefficients.size() > 3 && multiplicity == 1;
+    roots_.push_back({distinct.ends[i], distinct.nearest[i], multiplicity,
+                      is_conditioned ? condition_of(coefficients, distinct.nearest[i]) : 0});
   }
 }
 
@@ -70,14 +89,17 @@ TrueSpans RootQuestion::spans() const {
 }
 
 Verdict RootQuestion::verdict_of(const Root& root, std::size_t i, Level level) const {
-  const auto& [number, nearest, multiplicity] = roots_[i];
+  const auto& [number, nearest, multiplicity, condition] = roots_[i];
   const double t = root.t;
   if (root.multiplicity != multiplicity) return Verdict::wrong;
   if (level == Level::fast ? t == static_cast<float>(nearest) : t == nearest) return Verdict::exact;
   const double size = std::fabs(t);
-  const double bound = level == Level::fast         ? 0x1p-19 * size
-                       : level == Level::watertight ? 0x1p-46 * size
-                                                    : root.radius;
+  // What a root says of itself may not be much beside the farthest of all, nor beside what its coefficients leave open.
+  const double farthest = std::max(std::fabs(roots_.front().nearest), std::fabs(roots_.back().nearest));
+  const double bound = level == Level::fast ? 0x1p-19 * size
+                       : level == Level::watertight
+                           ? 0x1p-46 * size
+                           : std::min(root.radius, std::max(most_radius * farthest, most_of_coefficients * condition));
   return level != Level::exact && is_off_by(number, t, bound) ? Verdict::within_bound : Verdict::wrong;
 }
 

@@ -21,6 +21,7 @@ class RootQuestion {
     TrueNumber number;
     double nearest;
     int multiplicity;
+    double condition;  ///< How far relative changes of a quartic's coefficients, times this, move a simple root.
   };
   const std::vector<TrueRoot>& roots() const { return roots_; }
 
@@ -30,7 +31,9 @@ class RootQuestion {
   /// Number and multiplicities have to be true. Each t counts as within the bound
   ///   fast     off by no more than 2^-19 of itself, 32 roundings of float: nothing is promised,
   ///   watertight  off by no more than 2^-46 of itself (lib/README.md),
-  ///   precise  off by no more than its own radius, which is proven (root_list.h),
+  ///   precise  off by no more than its own radius, which is proven (root_list.h), and which in turn may be no more
+  ///   than
+  ///            2^-40 of the farthest root or, of a quartic, 2^-46 times the root's condition,
   ///   exact    where rounding to nearest has put it, and the list says that it is certain.
   void judge(Tally& tally, const RootList& list, Level level) const;
 

@@ -7,6 +7,7 @@
 
 #include "sightline/math/random.h"
 #include "sightline/query/workloads.h"
+#include "sightline/shape/triangle_crossings.h"
 
 namespace sightline {
 namespace {
@@ -126,6 +127,31 @@ TEST(Tracer, StreamsGiveTheHitsOfSingleRays) {
     tracer->stream_closest_hits(wide, hits);
     EXPECT_TRUE(hits == expected) << info.name;
   }
+}
+
+TEST(Tracer, RoundsToTheNearestDoubleAtLevelExact) {
+  const auto mesh = small_mesh();
+  const std::vector<Vec3d> vertices(mesh->positions().begin(), mesh->positions().end());
+  std::vector<Ray<double>> rays;
+  std::vector<Hit<double>> expected;
+  std::size_t off = 0;
+  for (const Ray<float>& ray : random_rays(mesh->bounds(), 200, 8)) {
+    rays.push_back(to_double(ray));
+    const auto crossings = triangle_crossings(FramedRay(rays.back()), vertices, mesh->triangles());
+    expected.push_back(crossings.empty() ? Hit<double>{} : Hit<double>{crossings[0].t, crossings[0].triangles[0]});
+  }
+  for (const AcceleratorInfo& info : accelerator_infos()) {
+    const auto tracer = make_tracer(info.name, mesh);
+    std::vector<Hit<double>> hits(rays.size()), precise(rays.size());
+    tracer->closest_hits(rays, hits, Level::exact);
+    tracer->closest_hits(rays, precise, Level::precise);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      EXPECT_EQ(hits[i].t, expected[i].t) << info.name;
+      EXPECT_EQ(hits[i].prim_id, expected[i].prim_id) << info.name;
+      off += precise[i].t != expected[i].t;
+    }
+  }
+  EXPECT_GT(off, 0u);  // so that the level is one of its own
 }
 
 TEST(Tracer, OffersSomethingOnlyByItsName) {

@@ -120,7 +120,7 @@ class Drawing {
   void draw_walks() {
     std::size_t most = 1;
     for (const Walk& walk : findings().walks) most = std::max(most, openings(walk).size());
-    const WalkSpace space{mesh(), picture_.surface, picture_.camera(), most};
+    const ComparedSpace space{mesh(), picture_.surface, picture_.camera(), most};
     for (std::size_t i = 0; i < picture_.shown().size(); ++i) {
       const std::size_t which = picture_.shown()[i];
       const Walk& walk = findings().walks[which];
@@ -150,10 +150,10 @@ class Drawing {
   }
 
   /// What is around the hit, larger.
-  void draw_close(const WalkSpace& space, const Walk& walk, const PanelFrame& frame) {
+  void draw_close(const ComparedSpace& space, const Walk& walk, const PanelFrame& frame) {
     const auto inset = picture_.inset_in(walk, frame);
     if (!inset) return;
-    WalkSpace close = space;
+    ComparedSpace close = space;
     close.camera = inset->camera;
     for (const auto& renderer : close.renderers(walk, inset->frame, place_, 2)) renderers_.push_back(renderer);
     draw_border(over_, inset->frame);

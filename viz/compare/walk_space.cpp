@@ -163,8 +163,8 @@ SpaceCamera close_camera(const SpaceCamera& camera, const Aabb& bounds, const Ve
   return close;
 }
 
-std::vector<vtkSmartPointer<vtkRenderer>> WalkSpace::renderers(const Walk& walk, const PanelFrame& frame,
-                                                               const PartPlace& place, int layer) const {
+std::vector<vtkSmartPointer<vtkRenderer>> ComparedSpace::renderers(const Walk& walk, const PanelFrame& frame,
+                                                                   const PartPlace& place, int layer) const {
   auto below = place.renderer(frame), above = place.renderer(frame);
   below->SetLayer(layer);
   below->PreserveColorBufferOff();  // what lies beneath does not shine through

@@ -21,7 +21,7 @@ Rgb opening_color(std::size_t order, std::size_t most);
 /// The mesh as it is drawn in every panel: made once.
 vtkSmartPointer<vtkPolyData> smooth_surface(const TriangleMesh& mesh);
 
-struct WalkSpace {
+struct ComparedSpace {
   const TriangleMesh& mesh;
   vtkSmartPointer<vtkPolyData> surface;
   SpaceCamera camera;

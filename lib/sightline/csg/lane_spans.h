@@ -3,18 +3,15 @@
 
 #include "sightline/csg/convex_lanes.h"
 #include "sightline/csg/lane_roots.h"
+#include "sightline/math/interval.h"
 #include "sightline/math/rounding.h"
 
 namespace sightline {
 
-/// What is known of a t: it is in [lo, hi].
-struct Enclosure {
-  double lo, hi;
-};
-
 /// The spans of lanes along a ray, as far as they are clear.
+/// What is known of a t is an interval that holds it.
 ///   S1  Roots are those of quick_span (lane_roots.h). Where that does not find two or none, surely, the lane is
-///   unclear. S2  Enclosures reach twice as far as the radius, which pays for their own rounding: radii are at least
+///   unclear. S2  Intervals reach twice as far as the radius, which pays for their own rounding: radii are at least
 ///   2^-51 of t.
 template <Level level>
 class LaneSpans {
@@ -29,15 +26,15 @@ class LaneSpans {
   std::uint32_t unclear() const { return unclear_; }
 
   /// Of lanes that are neither empty nor unclear.
-  Enclosure enter(std::uint32_t lane) const { return enclosure(enter_lo_, enter_hi_, lane); }
-  Enclosure leave(std::uint32_t lane) const { return enclosure(leave_lo_, leave_hi_, lane); }
+  Interval<double> enter(std::uint32_t lane) const { return enclosure(enter_lo_, enter_hi_, lane); }
+  Interval<double> leave(std::uint32_t lane) const { return enclosure(leave_lo_, leave_hi_, lane); }
 
   /// Of a round lane, alone.
   Root root(std::uint32_t lane, std::uint32_t index) const {
     return {static_cast<double>(t_[index][lane]), level == Level::fast ? 0 : static_cast<double>(radius_[index][lane]),
             1};
   }
-  static Enclosure around(double t, double radius) {
+  static Interval<double> around(double t, double radius) {
     if constexpr (level == Level::fast) return {t, t};
     return {t - 2 * radius, t + 2 * radius};  // S2
   }
@@ -46,7 +43,7 @@ class LaneSpans {
   struct Places {
     std::uint32_t inside = 0, outside = 0;
   };
-  Places places(const Enclosure& at) const {
+  Places places(const Interval<double>& at) const {
     const V lo = hn::Set(d, rounded_down(at.lo)), hi = hn::Set(d, rounded_up(at.hi));
     Places places;
     for (std::uint32_t lane = 0; lane < lanes_.count(); lane += step) {
@@ -76,7 +73,7 @@ class LaneSpans {
     return x;
   }
 
-  static Enclosure enclosure(const Row& lo, const Row& hi, std::uint32_t lane) {
+  static Interval<double> enclosure(const Row& lo, const Row& hi, std::uint32_t lane) {
     return {static_cast<double>(lo[lane]), static_cast<double>(hi[lane])};
   }
 

@@ -24,8 +24,8 @@ class LaneWalk {
     if (!ray_.is_moderate()) return WalkOutcome::unclear;
     double in[3], out[3];
     for (int axis = 0; axis < 3; ++axis) in[axis] = passing(axis, true), out[axis] = passing(axis, false);
-    Enclosure enter = around(larger(in[0], larger(in[1], in[2]))),
-              leave = around(smaller(out[0], smaller(out[1], out[2])));
+    Interval<double> enter = around(larger(in[0], larger(in[1], in[2]))),
+                     leave = around(smaller(out[0], smaller(out[1], out[2])));
     if ((enter.lo > leave.hi) | (leave.hi < lo) | (enter.lo > hi)) return WalkOutcome::none;
     return within(enter, leave, lo, hi, first);
   }
@@ -43,16 +43,16 @@ class LaneWalk {
     const bool is_upper = (ray_.inverse()[axis] > 0) != enters;
     return ray_.passing(axis, (is_upper ? rows.upper : rows.lower)[static_cast<std::size_t>(axis)]);
   }
-  static Enclosure around(double t) { return Spans::around(t, QuickRay<level>::radius_of(t)); }
+  static Interval<double> around(double t) { return Spans::around(t, QuickRay<level>::radius_of(t)); }
 
-  WalkOutcome within(Enclosure enter, Enclosure leave, double lo, double hi, Boundary& first) const {
+  WalkOutcome within(Interval<double> enter, Interval<double> leave, double lo, double hi, Boundary& first) const {
     const Spans spans(lanes_, ray_);
     for (std::uint32_t lane = 0; lane < lanes_.count(); ++lane) probe_.primitive(lanes_[lane].primitive);
     const std::uint32_t kept = (1u << lanes_.kept_count()) - 1;
     if (spans.unclear() & kept) return WalkOutcome::unclear;
     if (spans.empty() & kept) return WalkOutcome::none;
     for (std::uint32_t lane = 0; lane < lanes_.kept_count(); ++lane) {
-      const Enclosure in = spans.enter(lane), out = spans.leave(lane);
+      const Interval<double> in = spans.enter(lane), out = spans.leave(lane);
       enter = {larger(enter.lo, in.lo), larger(enter.hi, in.hi)};
       leave = {smaller(leave.lo, out.lo), smaller(leave.hi, out.hi)};
     }
@@ -63,7 +63,7 @@ class LaneWalk {
 
     // On to where no lane that is taken away holds the place.
     constexpr std::uint32_t none = ConvexLanes::capacity;
-    Enclosure at = is_ahead ? enter : Enclosure{lo, lo};
+    Interval<double> at = is_ahead ? enter : Interval<double>{lo, lo};
     std::uint32_t last = none, open = lanes_.taken_bits() & ~spans.empty();
     while (open != 0) {
       const auto places = spans.places(at);
@@ -82,7 +82,7 @@ class LaneWalk {
     // From inside of the solid: the nearest way out. Lanes that are still open are ahead, or behind.
     for (; open != 0; open &= open - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(open));
-      const Enclosure in = spans.enter(lane);
+      const Interval<double> in = spans.enter(lane);
       if ((in.hi < lo) | (in.lo > leave.hi)) continue;
       if (!(in.hi < leave.lo)) return WalkOutcome::unclear;
       leave = in, last = lane;
@@ -93,12 +93,12 @@ class LaneWalk {
 
   /// Which one of faces passed at about the same t it is: the only one that may be there.
   struct Choice {
-    const Enclosure& end;
+    const Interval<double>& end;
     Boundary& boundary;
     int count = 0;
 
     void add(const Boundary& face) {
-      const Enclosure known = Spans::around(face.t, face.radius);
+      const Interval<double> known = Spans::around(face.t, face.radius);
       if ((known.hi < end.lo) | (known.lo > end.hi)) return;
       boundary = face;
       ++count;
@@ -114,7 +114,7 @@ class LaneWalk {
     return {root.t, root.radius, lanes_[lane].primitive, 0, enters ? 0u : 1u};
   }
 
-  WalkOutcome end_of_kept(const Spans& spans, bool enters, const Enclosure& end, Boundary& first) const {
+  WalkOutcome end_of_kept(const Spans& spans, bool enters, const Interval<double>& end, Boundary& first) const {
     Choice choice{end, first};
     for (int axis = 0; axis < 3; ++axis) {
       const bool is_upper = (ray_.inverse()[axis] > 0) != enters;
@@ -125,7 +125,7 @@ class LaneWalk {
     return choice.outcome();
   }
 
-  WalkOutcome end_of(const Spans& spans, std::uint32_t index, bool enters, const Enclosure& end,
+  WalkOutcome end_of(const Spans& spans, std::uint32_t index, bool enters, const Interval<double>& end,
                      Boundary& first) const {
     const ConvexLanes::Lane& lane = lanes_[index];
     const LaneRows<Real>& rows = lanes_.template rows<Real>();

@@ -79,6 +79,12 @@ double lost_by_product(const A& a, const A& b, double high) {
   return !is_zero && (std::fabs(high) < smallest || a.radius > 0 || b.radius > 0) ? step : 0;
 }
 
+/// What the factors' radii make of a product's, but for roundings.
+template <class M>
+double spread_of_product(const Ball<M>& a, const Ball<M>& b) {
+  return a.size() * b.radius + b.size() * a.radius + a.radius * b.radius;
+}
+
 }  // namespace detail
 
 template <class M>
@@ -96,8 +102,7 @@ inline DoubleBall operator+(const DoubleBall& a, const DoubleBall& b) {
 
 inline DoubleBall operator*(const DoubleBall& a, const DoubleBall& b) {
   const auto [high, low] = two_product(a.mid, b.mid);
-  double radius = (std::fabs(low) + std::fabs(a.mid) * b.radius + std::fabs(b.mid) * a.radius + a.radius * b.radius) *
-                  detail::widen;
+  double radius = (std::fabs(low) + detail::spread_of_product(a, b)) * detail::widen;
   radius += detail::lost_by_product(a, b, high);
   return {high, detail::guarded(high, radius)};
 }
@@ -111,8 +116,7 @@ inline WideBall operator+(const WideBall& a, const WideBall& b) {
 
 inline WideBall operator*(const WideBall& a, const WideBall& b) {
   const DoubleDouble product = a.mid * b.mid;
-  double radius = (detail::Rounding<DoubleDouble>::unit * std::fabs(product.high) + a.size() * b.radius +
-                   b.size() * a.radius + a.radius * b.radius) *
+  double radius = (detail::Rounding<DoubleDouble>::unit * std::fabs(product.high) + detail::spread_of_product(a, b)) *
                   detail::widen;
   radius += detail::lost_by_product(a, b, product.high);
   return {product, detail::guarded(product.high, radius)};

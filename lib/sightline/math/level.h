@@ -27,7 +27,7 @@ inline constexpr std::array<LevelInfo, 4> level_infos{{
     {Level::exact, "exact", "every decision exact, every number correctly rounded"},
 }};
 
-/// Those that tracing triangles knows.
+/// Those that rays of float know among triangles; rays of double know `precise` and `exact` (query/tracer.h).
 inline constexpr std::array<Level, 2> triangle_levels{Level::fast, Level::watertight};
 
 constexpr const LevelInfo& info_of(Level level) { return level_infos[static_cast<std::size_t>(level)]; }

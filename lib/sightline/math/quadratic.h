@@ -30,9 +30,22 @@ requires std::is_floating_point_v<T> T difference_of_products(T a, T b, T c, T d
   const T product = c * d;
   return std::fma(a, b, -product) + std::fma(-c, d, product);
 }
-template <class M>
-Ball<M> difference_of_products(const Ball<M>& a, const Ball<M>& b, const Ball<M>& c, const Ball<M>& d) {
+inline WideBall difference_of_products(const WideBall& a, const WideBall& b, const WideBall& c, const WideBall& d) {
   return a * b - c * d;
+}
+/// Of exact factors only what is below the last digit is lost, however much of the products cancels.
+inline DoubleBall difference_of_products(const DoubleBall& a, const DoubleBall& b, const DoubleBall& c,
+                                         const DoubleBall& d) {
+  const auto [one, one_low] = two_product(a.mid, b.mid);
+  const auto [other, other_low] = two_product(c.mid, d.mid);
+  const auto [high, low] = two_sum(one, -other);
+  const auto [lows, lows_rest] = two_sum(one_low, -other_low);
+  const auto [tail, tail_rest] = two_sum(low, lows);
+  const auto [mid, rest] = two_sum(high, tail);
+  const double radius = (std::fabs(rest) + std::fabs(tail_rest) + std::fabs(lows_rest) + spread_of_product(a, b) +
+                         spread_of_product(c, d)) *
+                        widen;
+  return {mid, guarded(mid, radius + lost_by_product(a, b, one) + lost_by_product(c, d, other))};
 }
 
 template <class T>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "sightline/query/structure_plugin.h"
+
 namespace sightline {
 namespace {
 
@@ -35,6 +37,10 @@ std::vector<AcceleratorSpec> parse_accelerators(const std::string& text) {
     AcceleratorSpec spec{item, item.substr(0, colon), {}};
     if (spec.accelerator.empty()) {
       throw std::invalid_argument(whole + ": expected " + expected + ", found '" + item + "'");
+    }
+    if (spec.accelerator.ends_with(".so")) {
+      spec.accelerator = load_structure(spec.accelerator);
+      spec.label = spec.accelerator + (colon == std::string::npos ? "" : item.substr(colon));
     }
     if (colon != std::string::npos) {
       spec.settings.options.push_back(parse_option(item.substr(colon + 1), whole, expected));

@@ -17,8 +17,10 @@ struct AcceleratorSpec {
 };
 
 /// "kd-tree", "kd-tree:max_leaf_size=8,max_depth=20", or several of these, joined by commas: what stands before a "="
-/// and names no structure is one more option of the structure before it.
-/// \throws std::invalid_argument where it is not of this form. Names and values are not looked at.
+/// and names no structure is one more option of the structure before it. A name that ends in ".so" is a file: the
+/// structure in it is loaded, and goes by its own name from then on (structure_plugin.h).
+/// \throws std::invalid_argument where it is not of this form; what load_structure() throws. Names and values are not
+/// looked at.
 std::vector<AcceleratorSpec> parse_accelerators(const std::string& text);
 
 /// "kd-tree.max_leaf_size=8": sets it in every entry of that structure. The last one of an option wins, but what an

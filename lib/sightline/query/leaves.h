@@ -49,6 +49,28 @@ class IndexedLeaves {
   std::span<const std::uint32_t> order_;
 };
 
+/// Triangles where they are, with t rounded to the nearest double: for double rays at the level `exact`.
+class ExactLeaves {
+ public:
+  ExactLeaves(const TriangleMesh& mesh, std::span<const std::uint32_t> order) : mesh_(mesh), order_(order) {}
+
+  TriangleRay prepare(const Ray<double>& ray) const { return mesh_.prepare(ray); }
+
+  template <class See>
+  void for_each_crossing(const TriangleRay& prepared, LeafRange leaf, double /*far*/, See&& see) const {
+    for (const std::uint32_t id : order_.subspan(leaf.first, leaf.count)) {
+      Crossing crossing;
+      if (!prepared.intersect(mesh_[id], crossing)) continue;
+      crossing.t = prepared.nearest_t(mesh_[id]);
+      if (!see(id, crossing)) return;
+    }
+  }
+
+ private:
+  const TriangleMesh& mesh_;
+  std::span<const std::uint32_t> order_;
+};
+
 /// Copies of the triangles in leaf order, as blocks of at most eight (structure of arrays), so that a leaf reads
 /// consecutive memory and is tested at once. Made outside the structure, so that every structure shares it.
 ///   P1  The triangles at positions [first, first + count) of a block take the floats from first * rows on, whichever

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "sightline/query/instance_ray.h"
 #include "sightline/query/leaves.h"
-#include "sightline/query/local_ray.h"
 #include "sightline/query/queries.h"
 
 namespace sightline {
@@ -80,7 +80,7 @@ class PlacedQuery {
     const Placement& placement = instances_.placements()[instance];
     // E4 of triangle_sieve.h, in units of 2^-24 of reach.
     const double error = level == Level::fast ? 26 * 0x1p-24 * reach_of(Vec3d(ray_.origin), instances_.bounds()) : 0;
-    const LocalRay<T> local(ray_, placement, mesh.bounds(), error);
+    const InstanceRay<T> local(ray_, placement, mesh.bounds(), error);
     auto see = [&](std::uint32_t id, const Crossing& crossing) {
       const T t = detail::parameter<T>(crossing);
       if (t <= best_.t && detail::is_in_range(ray_, t)) {

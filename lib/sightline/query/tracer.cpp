@@ -3,31 +3,20 @@
 #include <stdexcept>
 
 #include "sightline/accel/registry.h"
-#include "sightline/query/stream.h"
+#include "sightline/query/accelerator_info_of.h"
+#include "sightline/query/structure_plugin.h"
 #include "sightline/query/tracer_slices.h"
 
 namespace sightline {
 namespace {
 
-template <class A>
-AcceleratorInfo info_of() {
-  AcceleratorInfo info{A::name, A::description, A::node_bytes, Steppable<A, float>, {}};
-  const typename A::Options defaults;
-  for (const auto& field : A::Options::fields()) {
-    const std::string value = std::visit(
-        [&]<class M>(M A::Options::*member) -> std::string {
-          if constexpr (std::is_same_v<M, bool>) {
-            return defaults.*member ? "true" : "false";
-          } else if constexpr (std::is_same_v<M, Quality>) {
-            return std::string(quality_names[static_cast<std::size_t>(defaults.*member)]);
-          } else {
-            return detail::number_text(defaults.*member);
-          }
-        },
-        field.member);
-    info.options.push_back({field.name, value, detail::allowed_text(field), field.help});
-  }
-  return info;
+std::vector<AcceleratorInfo>& known_infos() {
+  static std::vector<AcceleratorInfo> infos = [] {
+    std::vector<AcceleratorInfo> list;
+    Accelerators::for_each([&]<class A>(auto) { list.push_back(detail::accelerator_info_of<A>()); });
+    return list;
+  }();
+  return infos;
 }
 
 }  // namespace
@@ -40,17 +29,14 @@ void detail::refuse_accelerator(std::string_view accelerator) {
 
 std::unique_ptr<Tracer> make_tracer(std::string_view accelerator, std::shared_ptr<const TriangleMesh> mesh,
                                     const TracerSettings& settings) {
+  if (const StructurePlugin* plugin = detail::loaded_structure(accelerator))
+    return plugin->make(std::move(mesh), settings);
   return detail::in_slices(
       accelerator, [&]<int Slice>() { return detail::make_tracer_in_slice<Slice>(accelerator, mesh, settings); });
 }
 
-std::span<const AcceleratorInfo> accelerator_infos() {
-  static const std::vector<AcceleratorInfo> infos = [] {
-    std::vector<AcceleratorInfo> list;
-    Accelerators::for_each([&]<class A>(auto) { list.push_back(info_of<A>()); });
-    return list;
-  }();
-  return infos;
-}
+std::span<const AcceleratorInfo> accelerator_infos() { return known_infos(); }
+
+void detail::add_info(AcceleratorInfo info) { known_infos().push_back(std::move(info)); }
 
 }  // namespace sightline

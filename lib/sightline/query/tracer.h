@@ -22,8 +22,9 @@ template <class T>
 class PlacedQuery;
 
 /// Queries in one precision. All are const, thread-safe, and give the same result in whatever order they are asked.
-/// `level` tells float queries how accurate to be; double ones are never less than watertight, nor are those of a lazy
-/// structure.
+/// `level` says how accurate to be. Float queries know `fast` and `watertight`. Double ones are `precise` at any level
+/// below `exact`, at which t of the nearest hit is the double nearest to the true one; u and v, and all_hits(), are as
+/// at `precise`. A lazy structure is never less than watertight.
 template <class T>
 class Queries {
  public:
@@ -110,7 +111,7 @@ struct AcceleratorInfo {
   std::vector<Option> options;
 };
 
-/// The registry, in its order.
+/// The registry, in its order, then what was loaded (structure_plugin.h), which ends what was got before.
 std::span<const AcceleratorInfo> accelerator_infos();
 
 }  // namespace sightline

@@ -116,6 +116,9 @@ class TracerOf final : public QueriesOf<TracerOf<A>, double, QueriesOf<TracerOf<
   /// Calls use(structure, leaves) with the leaves that rays of T are tested with.
   template <class T, class Use>
   void with_leaves(Level level, Use&& use) const {
+    if constexpr (std::is_same_v<T, double>) {
+      if (level == Level::exact) return use(accel_, ExactLeaves(*mesh_, accel_.leaf_order()));
+    }
     if (!blocks_) return use(accel_, indexed_leaves());
     if constexpr (std::is_same_v<T, float>) {
       if (level == Level::fast) return use(accel_, packed_leaves<Level::fast>());

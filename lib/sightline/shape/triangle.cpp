@@ -2,8 +2,11 @@
 
 #include <array>
 
+#include "sightline/math/algebraic_root.h"
 #include "sightline/math/expansion.h"
 #include "sightline/math/rounding.h"
+#include "sightline/shape/line.h"
+#include "sightline/shape/solid_shape.h"
 
 namespace sightline {
 namespace {
@@ -74,6 +77,13 @@ bool TriangleRay::intersect_exactly(const Triangle& ordered, Crossing& crossing)
   crossing.u = v.estimate() / sum;
   crossing.v = w.estimate() / sum;
   return true;
+}
+
+double TriangleRay::nearest_t(const Triangle& triangle) const {
+  const Ray<double> ray{origin_, direction_};
+  const solid::Facet facet{{Vec3d(in_order(triangle.a)), Vec3d(in_order(triangle.b)), Vec3d(in_order(triangle.c))}};
+  const auto [slope, level] = solid::form_of(facet, FramedRay(ray).in<Dyadic>());
+  return real_roots({level, slope}).front().nearest();
 }
 
 Aabb clip(const Triangle& triangle, const Aabb& box) {

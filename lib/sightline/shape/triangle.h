@@ -104,6 +104,9 @@ class TriangleRay {
     if (intersect(triangle, crossing)) report(crossing);
   }
 
+  /// t of the crossing with a triangle that the line crosses, rounded to the nearest double.
+  double nearest_t(const Triangle& triangle) const;
+
   const std::array<int, 4>& axes() const { return axis_orders[last_axis_]; }
 
  private:

@@ -23,7 +23,7 @@ constexpr double share_of(Level level) {
   }
 }
 
-Verdict verdict_of(const TrueSpans& truth, const Spans& spans, Level level) {
+Verdict verdict_of(const TrueEnds& truth, const Spans& spans, Level level) {
   if (spans.begins_inside != truth.begins_inside || spans.boundaries.size() != truth.ends.size()) return Verdict::wrong;
   Verdict worst = Verdict::exact;
   for (std::size_t i = 0; i < truth.ends.size(); ++i) {
@@ -42,7 +42,7 @@ std::string inputs_of(const SolidTree& tree, const Ray<double>& ray) {
   return sightline::text_of(tree) + ", " + text_of(ray);
 }
 
-Verdict verdict_of_first(const TrueSpans& truth, const Hit<double>& hit, Level level) {
+Verdict verdict_of_first(const TrueEnds& truth, const Hit<double>& hit, Level level) {
   const TrueEnd* first = truth.first();
   if (!first) return hit.is_hit() ? Verdict::wrong : Verdict::exact;
   return hit.is_hit() ? verdict_of(*first, hit.t, level) : Verdict::wrong;
@@ -50,14 +50,14 @@ Verdict verdict_of_first(const TrueSpans& truth, const Hit<double>& hit, Level l
 
 }  // namespace
 
-const TrueEnd* TrueSpans::first() const {
+const TrueEnd* TrueEnds::first() const {
   const auto found = std::ranges::find(ends, true, &TrueEnd::is_ahead);
   return found == ends.end() ? nullptr : &*found;
 }
 
-TrueSpans true_spans(const SolidTree& tree, const Ray<double>& ray) {
+TrueEnds true_spans(const SolidTree& tree, const Ray<double>& ray) {
   const oracle::ExactSpans exact = oracle::exact_spans(tree, ray);
-  TrueSpans truth{exact.begins_inside, {}};
+  TrueEnds truth{exact.begins_inside, {}};
   for (const oracle::Root& root : exact.ends) {
     truth.ends.push_back({[root](double t) { return oracle::is_nearest(root, t); },
                           [root](double t, double bound) { return oracle::is_within(root, t, oracle::Binary(bound)); },
@@ -73,7 +73,7 @@ Verdict verdict_of(const TrueEnd& truth, double t, Level level) {
   return truth.is_within(t, share_of(level) * std::fabs(t)) ? Verdict::within_bound : Verdict::wrong;
 }
 
-void ask_lists(const SolidTree& tree, const std::vector<SolidQuestion>& questions, Trial& trial) {
+void ask_lists(const SolidTree& tree, const std::vector<AskedRay>& questions, Trial& trial) {
   const Solid solid(tree);
   for (const Level level : all_levels) {
     Tally& tally = trial.of("solid", level);
@@ -86,10 +86,10 @@ void ask_lists(const SolidTree& tree, const std::vector<SolidQuestion>& question
   }
 }
 
-void ask_structures(const SolidTree& tree, const std::vector<SolidQuestion>& questions, Trial& trial) {
+void ask_structures(const SolidTree& tree, const std::vector<AskedRay>& questions, Trial& trial) {
   const auto solid = std::make_shared<const Solid>(tree);
   std::vector<Ray<double>> rays;
-  for (const SolidQuestion& question : questions) rays.push_back(question.ray);
+  for (const AskedRay& question : questions) rays.push_back(question.ray);
   std::vector<Hit<double>> hits(rays.size());
   for (const AcceleratorInfo& info : accelerator_infos()) {
     for (const Level level : all_levels) {

@@ -18,7 +18,7 @@ struct TrueEnd {
   bool is_ahead = false;                          ///< Beyond 0.
 };
 
-struct TrueSpans {
+struct TrueEnds {
   bool begins_inside = false;
   std::vector<TrueEnd> ends;
 
@@ -27,11 +27,11 @@ struct TrueSpans {
 };
 
 /// By the exact oracle, which knows no tori.
-TrueSpans true_spans(const SolidTree& tree, const Ray<double>& ray);
+TrueEnds true_spans(const SolidTree& tree, const Ray<double>& ray);
 
-struct SolidQuestion {
+struct AskedRay {
   Ray<double> ray;
-  TrueSpans truth;
+  TrueEnds truth;
 };
 
 /// What an answer is worth at a level. Documented are, relative to t itself, 2^-46 at watertight, 2^-52 at precise, and
@@ -39,9 +39,9 @@ struct SolidQuestion {
 Verdict verdict_of(const TrueEnd& truth, double t, Level level);
 
 /// Whole lists of one solid, at each level: "solid".
-void ask_lists(const SolidTree& tree, const std::vector<SolidQuestion>& questions, Trial& trial);
+void ask_lists(const SolidTree& tree, const std::vector<AskedRay>& questions, Trial& trial);
 
 /// The first hit, through each structure at each level. The solid has bounds and is not empty.
-void ask_structures(const SolidTree& tree, const std::vector<SolidQuestion>& questions, Trial& trial);
+void ask_structures(const SolidTree& tree, const std::vector<AskedRay>& questions, Trial& trial);
 
 }  // namespace sightline::hard

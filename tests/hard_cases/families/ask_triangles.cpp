@@ -35,8 +35,8 @@ void ask_triangles(const std::shared_ptr<const TriangleMesh>& mesh, const Triang
     for (const LevelInfo& level : level_infos) {
       Tally& tally = trial.of(info.name, level.level);
       const bool is_wide = level.level == Level::precise || level.level == Level::exact;
-      const auto hits = is_wide ? hits_of(*tracer, questions.wide, Level::watertight)
-                                : hits_of(*tracer, questions.narrow, level.level);
+      const auto hits =
+          is_wide ? hits_of(*tracer, questions.wide, level.level) : hits_of(*tracer, questions.narrow, level.level);
       for (std::size_t i = 0; i < hits.size(); ++i) {
         tally.decide(is_true(i, is_wide, hits[i]), [&] {
           return Example{is_wide ? text_of(questions.wide[i]) : text_of(questions.narrow[i]), "another answer",

@@ -25,7 +25,7 @@ bool slabs_are_met(const solid::Box& box, const Ray<float>& ray) {
 void ask_silhouettes(int difficulty, std::uint64_t count, std::uint64_t seed, Trial& trial) {
   Random random(seed);
   const solid::Box box{{-0.3, -0.7, -0.45}, {0.6, 0.2, 0.9}};
-  std::vector<SolidQuestion> questions;
+  std::vector<AskedRay> questions;
   for (std::uint64_t i = 0; i < count; ++i) {
     const Vec3d eye(2 + 2 * random.uniform_double(), 2 + 2 * random.uniform_double(), 3 * any_point(random).x);
     // From there the edge of the highest x and the lowest y is part of the silhouette.

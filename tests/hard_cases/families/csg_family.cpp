@@ -25,7 +25,7 @@ std::size_t merged_count(const std::vector<double>& ends) {
 }
 
 void ask(const SolidTree& tree, const std::vector<Ray<double>>& rays, Trial& trial) {
-  std::vector<SolidQuestion> questions;
+  std::vector<AskedRay> questions;
   for (const Ray<double>& ray : rays) questions.push_back({ray, true_spans(tree, ray)});
   ask_lists(tree, questions, trial);
   ask_structures(tree, questions, trial);

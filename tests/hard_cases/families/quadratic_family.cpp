@@ -23,7 +23,7 @@ void ask_quadratics(int difficulty, std::uint64_t count, std::uint64_t seed, Tri
     const double b = -a * (r + s), c = a * r * s;
     const solid::Quadric quadric{{a, 0, 0, 0, 0, 0, b, 0, 0, c}};
     const Ray<double> ray{Vec3d(0), Vec3d(1, 0, 0)};
-    const std::vector<SolidQuestion> question{{ray, true_spans(quadric, ray)}};
+    const std::vector<AskedRay> question{{ray, true_spans(quadric, ray)}};
     ask_lists(quadric, question, trial);
     const std::size_t expected = question[0].truth.ends.size();  // a double root only touches
     const auto tell = [&](std::string_view who, int found) {

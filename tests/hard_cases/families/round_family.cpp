@@ -47,7 +47,7 @@ int cone_count(const Ray<float>& ray) {
 using Count = int (*)(const Ray<float>&);
 
 void ask(const SolidTree& tree, Count naive, const std::vector<Ray<double>>& rays, Trial& trial) {
-  std::vector<SolidQuestion> questions;
+  std::vector<AskedRay> questions;
   for (const Ray<double>& ray : rays) questions.push_back({ray, true_spans(tree, ray)});
   ask_lists(tree, questions, trial);
   ask_structures(tree, questions, trial);

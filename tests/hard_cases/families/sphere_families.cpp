@@ -9,7 +9,7 @@ namespace sightline::hard {
 namespace {
 
 /// Root counts of the textbook's quadratic, in float: a = d.d, b = 2 q.d, c = q.q - r^2.
-void ask_naive(const solid::Sphere& sphere, const std::vector<SolidQuestion>& questions, Trial& trial) {
+void ask_naive(const solid::Sphere& sphere, const std::vector<AskedRay>& questions, Trial& trial) {
   for (const auto& [ray, truth] : questions) {
     const Vec3f q = Vec3f(ray.origin) - Vec3f(sphere.center), d(ray.direction);
     const auto radius = static_cast<float>(sphere.radius);
@@ -22,7 +22,7 @@ void ask_naive(const solid::Sphere& sphere, const std::vector<SolidQuestion>& qu
 }
 
 void ask(const solid::Sphere& sphere, const std::vector<Ray<double>>& rays, Trial& trial) {
-  std::vector<SolidQuestion> questions;
+  std::vector<AskedRay> questions;
   for (const Ray<double>& ray : rays) questions.push_back({ray, true_spans(sphere, ray)});
   ask_lists(sphere, questions, trial);
   ask_structures(sphere, questions, trial);

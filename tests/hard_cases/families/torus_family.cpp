@@ -48,9 +48,9 @@ Coefficients quartic(const Torus& torus, const Ray<double>& ray) {
 
 /// By Sturm chains: how many roots there are, and how many up to a number. Of tangents, whose root is double, nothing
 /// is asked here.
-TrueSpans truth_of(const Torus& torus, const Ray<double>& ray) {
+TrueEnds truth_of(const Torus& torus, const Ray<double>& ray) {
   const auto chain = std::make_shared<const oracle::SturmChain>(oracle::polynomial_of(quartic(torus, ray)));
-  TrueSpans truth;
+  TrueEnds truth;
   for (int i = 0; i < chain->count(); ++i) {
     // The root number i is above x where no more than i roots are up to there.
     const auto is_above = [chain, i](const Rational& x) { return chain->count_to(x) <= i; };
@@ -92,7 +92,7 @@ void ask_tangents(int difficulty, std::uint64_t count, std::uint64_t seed, Trial
   Random random(seed);
   const AnyFrame frame(random);
   const Torus torus{any_point(random), frame.z, 2, 1};
-  std::vector<SolidQuestion> questions;
+  std::vector<AskedRay> questions;
   for (std::uint64_t i = 0; i < count; ++i) {
     const double angle = 6.25 * random.uniform_double(), up = any_point(random).x, turn = any_point(random).x;
     const Vec3d outward = std::cos(angle) * frame.x + std::sin(angle) * frame.y;

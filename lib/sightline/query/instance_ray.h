@@ -31,9 +31,9 @@ namespace sightline {
 ///   |B| error             what else the caller's test is off by, in the world's units;
 ///   u (center + 7 reach)  this ray is rounded.
 template <class T>
-class LocalRay {
+class InstanceRay {
  public:
-  LocalRay(const Ray<T>& world, const Placement& placement, const Aabb& bounds, double error) {
+  InstanceRay(const Ray<T>& world, const Placement& placement, const Aabb& bounds, double error) {
     const Affine map = placement.to_world();
     const Vec3d a = map.column(0), b = map.column(1), c = map.column(2);
     const Vec3d adjugate[3] = {glm::cross(b, c), glm::cross(c, a), glm::cross(a, b)};

@@ -1,0 +1,15 @@
+#pragma once
+/// The labs, in order. Adding one is its folder and its line here.
+
+#include <vector>
+
+#include "labs/check/check.h"
+
+namespace sightline::labs {
+
+Lab first_picture_lab();
+Lab kd_tree_lab();
+
+inline std::vector<Lab> make_labs() { return {first_picture_lab(), kd_tree_lab()}; }
+
+}  // namespace sightline::labs
