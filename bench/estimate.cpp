@@ -47,6 +47,16 @@ Estimate estimate(std::vector<double> samples) {
   return result;
 }
 
+Estimate estimate_of_share(std::size_t yes, std::size_t count) {
+  if (count == 0 || yes > count) throw std::invalid_argument("a share needs answers");
+  constexpr double z = 1.959963984540054;  // the normal distribution's 97.5th percentile
+  const double n = static_cast<double>(count), share = static_cast<double>(yes) / n, most = 1 + z * z / n;
+  const double middle = (share + z * z / (2 * n)) / most;
+  const double half = z / most * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
+  // What rounds must not leave the share itself out.
+  return {share, std::min(share, std::max(0.0, middle - half)), std::max(share, std::min(1.0, middle + half)), 0.95};
+}
+
 std::optional<Estimate> estimate_of_present(std::vector<double> samples) {
   std::erase_if(samples, [](double x) { return std::isnan(x); });
   if (samples.empty()) return std::nullopt;

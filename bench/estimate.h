@@ -22,7 +22,13 @@ struct Estimate {
 /// \throws std::invalid_argument without samples.
 Estimate estimate(std::vector<double> samples);
 
-/// The same of those that are not NaN; nothing without any.
+/// Of `count` independent yes-or-no answers of which `yes` were yes: their share, with Wilson's interval of a
+/// confidence of 0.95, which holds where all are no as well. Wilson, "Probable Inference, the Law of Succession, and
+/// Statistical Inference", 1927. \throws std::invalid_argument without answers, or with more that are yes than there
+/// are.
+Estimate estimate_of_share(std::size_t yes, std::size_t count);
+
+/// estimate() of those samples that are not NaN; nothing without any.
 std::optional<Estimate> estimate_of_present(std::vector<double> samples);
 
 /// How much longer one took than the other, each by index in the same round; nothing where they never met (NaN).

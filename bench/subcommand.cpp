@@ -24,6 +24,25 @@ std::string parse_or_help(CLI::App& app, int argc, const char* const* argv, std:
   return {};
 }
 
+std::function<std::string(const std::string&)> whole_number() {
+  return [](const std::string& text) -> std::string {
+    const bool is_whole =
+        !text.empty() && text.size() < 20 && text.find_first_not_of("0123456789") == std::string::npos;
+    return is_whole ? "" : "expected a whole number from 0 on, found '" + text + "'";
+  };
+}
+
+std::vector<std::string> split_names(const std::vector<std::string>& texts) {
+  std::vector<std::string> names;
+  for (const std::string& text : texts) {
+    for (std::size_t at = 0, end = 0; end != std::string::npos; at = end + 1) {
+      end = text.find(',', at);
+      names.push_back(text.substr(at, end - at));
+    }
+  }
+  return names;
+}
+
 void check_json(const std::string& path) {
   if (path == "-") throw UsageError("--json takes a file; standard output has the table");
   if (!path.empty()) OutputFile{path};

@@ -1,6 +1,7 @@
 #pragma once
 /// What the commands beside the main one share.
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,12 @@ namespace sightline::bench {
 /// Parses. Returns the help text, with `reading` behind it, where that is asked for, and nothing otherwise.
 /// \throws UsageError in one line
 std::string parse_or_help(CLI::App& app, int argc, const char* const* argv, std::string_view reading);
+
+/// For options that are whole numbers from 0 on: "-1", which CLI11 wraps around, and "1e3" are refused. For CLI::App.
+std::function<std::string(const std::string&)> whole_number();
+
+/// Names that commas join, one by one: an empty one is a name too, so that it is refused as unknown.
+std::vector<std::string> split_names(const std::vector<std::string>& texts);
 
 /// Refuses now what could not be written at the end; no file is fine. \throws UsageError, FileError
 void check_json(const std::string& path);

@@ -21,6 +21,7 @@ struct Errors {
   double maximum = not_asked;
   double rms = not_asked;
   double wrong_per_million = not_asked;  ///< Decisions that differ from exact ones.
+  std::size_t wrong = 0, decisions = 0;  ///< The same as counts, where it is a share of so many.
 };
 
 /// By which of the errors a panel's front is drawn.
@@ -45,6 +46,7 @@ struct Panel {
   ErrorKind kind = ErrorKind::maximum;
   double units = 1;  ///< In a pass.
   std::vector<Choice> choices{};
+  std::string wrong_name = "wrong decisions";  ///< What of a million is told.
 };
 
 /// How much may be spent.

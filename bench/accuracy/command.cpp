@@ -38,11 +38,11 @@ std::string parse(int argc, const char* const* argv, AccuracyPlan& plan) {
   app.get_formatter()->column_width(30);
   std::vector<std::string> names;
   bool is_list = false;
-  app.add_option("--axis", names, "What to measure (all)")->type_name("NAMES")->delimiter(',')->allow_extra_args(false);
+  app.add_option("--axis", names, "What to measure (all)")->type_name("NAMES")->allow_extra_args(false);
   auto* const rounds = app.add_option("--rounds", plan.rounds, "Rounds of timing, 1 to 1000 (21; quick 9)")
                            ->type_name("N")
                            ->check(CLI::Range(1, 1000));
-  app.add_option("--seed", plan.seed, "Of all that is drawn by chance (1)")->type_name("N");
+  app.add_option("--seed", plan.seed, "Of all that is drawn by chance (1)")->type_name("N")->check(whole_number(), "");
   app.add_option("--data", plan.data_dir, "The folder of scenes")->type_name("DIR");
   app.add_flag("--quick", plan.is_quick, "Fewer questions and rounds");
   app.add_option("--json", plan.json, "Writes everything that was measured into FILE")->type_name("FILE");
@@ -56,6 +56,7 @@ std::string parse(int argc, const char* const* argv, AccuracyPlan& plan) {
   if (plan.is_quick) plan.slot_seconds = 0.002;
   std::vector<std::string> known;
   for (const Axis& axis : accuracy_axes()) known.emplace_back(axis.name);
+  names = split_names(names);
   for (const std::string& name : names) require_known("axis", name, known);
   for (const Axis& axis : accuracy_axes()) {
     if (names.empty() || std::ranges::find(names, axis.name) != names.end()) plan.axes.push_back(&axis);
@@ -79,6 +80,10 @@ int run(int argc, const char* const* argv, const DrawCharts& draw) {
     return 0;
   }
   if (plan.html == "-") throw UsageError("--html takes a file; standard output has the table");
+  if (!std::filesystem::is_directory(plan.data_dir)) {
+    throw std::runtime_error(plan.data_dir + ": expected a folder of scenes, found " +
+                             (std::filesystem::exists(plan.data_dir) ? "a file" : "nothing"));
+  }
   if (!plan.charts.empty() && !draw) throw UsageError("--charts: this build draws none");
   check_json(plan.json);
   check_json(plan.html);

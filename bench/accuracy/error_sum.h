@@ -28,6 +28,7 @@ class ErrorSum {
       errors.maximum = largest_;
       errors.rms = std::sqrt(squares_ / static_cast<double>(numbers_));
     }
+    errors.wrong = wrong_, errors.decisions = decisions_;
     if (decisions_ > 0)
       errors.wrong_per_million = million * static_cast<double>(wrong_) / static_cast<double>(decisions_);
     return errors;

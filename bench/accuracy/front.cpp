@@ -13,8 +13,10 @@ Standing standing_of(std::span<const Candidate> candidates, std::size_t own) {
   for (std::size_t other = 0; other < candidates.size(); ++other) {
     if (other == own || !(candidates[other].error <= candidate.error)) continue;
     const auto ratio = paired_ratio(candidate.round_seconds, candidates[other].round_seconds);
-    if (!ratio || ratio->high < 1) continue;
-    const Place place = ratio->low > 1 ? Place::dominated : Place::not_resolved;
+    if (!ratio) continue;
+    const bool is_resolved = ratio->confidence >= 0.95;
+    if (is_resolved && ratio->high < 1) continue;
+    const Place place = is_resolved && ratio->low > 1 ? Place::dominated : Place::not_resolved;
     const bool is_stronger = place == standing.place ? ratio->median > standing.ratio.median
                                                      : place == Place::dominated || standing.place == Place::on_front;
     if (is_stronger) standing = {place, other, *ratio};

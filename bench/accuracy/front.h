@@ -28,6 +28,9 @@ struct Standing {
   Estimate ratio{};    ///< This one's time over that one's, paired by round.
 };
 
+/// With fewer rounds no interval of medians has a confidence of 95 % (estimate.h), and nothing is resolved.
+inline constexpr int least_rounds = 6;
+
 /// By index. A choice without an error takes no part.
 std::vector<Standing> standings(std::span<const Candidate> candidates);
 

@@ -21,7 +21,8 @@ constexpr std::string_view head = R"(<!DOCTYPE html>
 body { margin: 0 auto; padding: 1.5rem; max-width: 76rem; background: var(--paper); color: var(--ink);
        font: 15px/1.5 system-ui, sans-serif; }
 h1 { font-size: 1.6rem; margin: 0 0 .3rem; } h2 { margin: 2.2rem 0 .2rem; font-size: 1.25rem; }
-h3 { margin: 1.2rem 0 0; font-size: 1rem; } p { margin: .2rem 0 .6rem; color: var(--soft); max-width: 60rem; }
+h3 { margin: 1.2rem 0 0; font-size: 1rem; } p { margin: .2rem 0 .6rem; color: var(--soft); max-width: 60rem; overflow-wrap: anywhere; }
+nav { display: flex; flex-wrap: wrap; }
 nav a { color: var(--front); margin-right: .9rem; } a:focus-visible, .point:focus-visible { outline: 2px solid var(--front); }
 .panel { display: grid; grid-template-columns: minmax(0, 1fr); gap: .6rem; margin-bottom: 1.6rem; }
 svg { width: 100%; min-width: 680px; height: auto; background: var(--band); border-radius: 6px; }
@@ -41,7 +42,7 @@ td.place { color: var(--mark); white-space: normal; min-width: 13rem; } tr.lit {
 <h1>Accuracy, and what it costs</h1>
 <p>Each mark is a choice: farther left is more accurate, farther down is faster. The line joins those that no other
 beats in both. Errors are taken against exact or very wide numbers; times are medians of rounds in which all choices of
-a panel take turns, with intervals that hold the true median with 95 %.</p>
+a panel take turns, with intervals that hold the true median with <span id="confidence"></span>.</p>
 <p id="machine"></p><nav id="axes"></nav><main id="all"></main><div id="tip" role="status"></div>
 <script type="application/json" id="data">)";
 
@@ -59,8 +60,9 @@ const make = (name, attributes = {}, parent = null, text = '') => {
   return element;
 };
 const kind_of = { 'front': 'front', 'dominated': 'dominated', 'not resolved': 'open', 'unknown': 'open' };
-const error_of = (panel, choice) => panel.front_by === 'wrong decisions' ? choice.wrong_per_million :
+const error_of = (panel, choice) => panel.front_by === panel.wrong_name ? choice.wrong_per_million :
   panel.front_by === 'RMS error' ? choice.rms_error : choice.maximum_error;
+const of_all = (choice) => choice.wrong_interval === null ? '' : `, ${choice.wrong_interval.map((x) => digits(x, 2)).join(' to ')} with 95 %, of ${choice.decisions.toLocaleString('en')}`;
 const digits = (x, n = 3) => x === null ? '' : x === 0 ? '0' : Math.abs(x) >= 1e6 || Math.abs(x) < 1e-2 ?
   x.toExponential(1) : String(+x.toPrecision(n));
 // In units that suit `like`, so that an interval has one unit.
@@ -72,7 +74,7 @@ const standing = (choice) => choice.place === 'dominated' ?
   choice.place === 'not resolved' ? `not resolved: ${choice.beside}` : choice.place;
 const told = (panel, choice) => [choice.name,
   choice.maximum_error === null ? '' : `error: ${digits(choice.maximum_error)} at most, ${digits(choice.rms_error)} RMS ${panel.error_unit}`,
-  choice.wrong_per_million === null ? '' : `wrong: ${digits(choice.wrong_per_million)} per million decisions`,
+  choice.wrong_per_million === null ? '' : `${panel.wrong_name}: ${digits(choice.wrong_per_million)} per million${of_all(choice)}`,
   `time: ${time(choice.seconds.median)} per ${panel.unit}, ${interval(choice.seconds)}`,
   ...Object.entries(choice.extras).map(([name, value]) => `${name}: ${digits(value, 4)}`), standing(choice)]
   .filter((line) => line).join('\n');
@@ -112,8 +114,8 @@ function chart(panel, parent, rows) {
     make('line', { class: 'grid', x1: left, x2: width - right, y1: y_of(ns / 1e9), y2: y_of(ns / 1e9) }, svg);
     make('text', { class: 'soft', x: left - 8, y: y_of(ns / 1e9) + 4, 'text-anchor': 'end' }, svg, time(ns / 1e9));
   }
-  make('text', { x: width - right, y: height - 12, 'text-anchor': 'end' }, svg, panel.front_by === 'wrong decisions' ?
-    'wrong decisions per million \u2192' : `${panel.front_by} ${panel.error_unit} \u2192`);
+  make('text', { x: width - right, y: height - 12, 'text-anchor': 'end' }, svg, panel.front_by === panel.wrong_name ?
+    `${panel.wrong_name} per million \u2192` : `${panel.front_by} ${panel.error_unit} \u2192`);
   make('text', { x: left, y: height - 12 }, svg, `time per ${panel.unit} \u2191`);
   const line = shown.filter((c) => c.place === 'front' || c.place === 'not resolved').sort((a, b) =>
     error_of(panel, a) - error_of(panel, b) || b.seconds.median - a.seconds.median);
@@ -147,12 +149,12 @@ function table(panel) {
   const wide = make('div', { class: 'wide' }), own = make('table', {}, wide), rows = new Map();
   const extras = Object.keys(panel.choices[0].extras);
   const heading = make('tr', {}, make('thead', {}, own)), body = make('tbody', {}, own);
-  for (const name of ['choice', 'maximum', 'RMS', 'wrong per million', `per ${panel.unit}`, 'interval', ...extras, 'standing'])
+  for (const name of ['choice', 'maximum', 'RMS', `${panel.wrong_name} per million`, 'of', `per ${panel.unit}`, 'interval', ...extras, 'standing'])
     make('th', { scope: 'col' }, heading, name);
   for (const c of panel.choices) {
     const row = make('tr', { class: kind_of[c.place] }, body);
-    for (const text of [c.name, digits(c.maximum_error, 2), digits(c.rms_error, 2), digits(c.wrong_per_million),
-      time(c.seconds.median), interval(c.seconds), ...extras.map((e) => digits(c.extras[e] ?? null, 4))])
+    for (const text of [c.name, digits(c.maximum_error, 2), digits(c.rms_error, 2), digits(c.wrong_per_million) + (c.wrong_interval === null ? '' : ` (${c.wrong_interval.map((x) => digits(x, 2)).join(' to ')})`),
+      c.decisions > 0 ? c.decisions.toLocaleString('en') : '', time(c.seconds.median), interval(c.seconds), ...extras.map((e) => digits(c.extras[e] ?? null, 4))])
       make('td', {}, row, text);
     make('td', { class: 'place' }, row, standing(c));
     rows.set(c.name, row);
@@ -160,6 +162,9 @@ function table(panel) {
   return [wide, rows];
 }
 
+const surest = Math.max(...data.axes.flatMap((a) => a.panels.flatMap((p) => p.choices.map((c) => c.seconds.confidence))));
+document.getElementById('confidence').textContent = surest >= 0.95 ? '95 %' :
+  `no more than ${digits(100 * surest, 2)} %: of so few rounds nothing is resolved`;
 const m = data.machine;
 document.getElementById('machine').textContent = `Sightline ${m.versions.sightline}, ${data.date}. ${m.processor}, ` +
   `${m.hardware_threads} hardware threads, ${m.system}; load ${m.load === null ? 'unknown' : digits(m.load)}. ` +

@@ -23,7 +23,7 @@ double seconds_of(const Choice& choice, int passes) {
 
 PanelReport measure(const Panel& panel, int rounds, double slot_seconds) {
   if (panel.choices.empty()) throw std::invalid_argument(panel.name + ": no choices");
-  PanelReport report{panel.name, panel.description, panel.unit, panel.error_unit, panel.kind, {}, {}};
+  PanelReport report{panel.name, panel.description, panel.unit, panel.error_unit, panel.kind, panel.wrong_name, {}, {}};
   std::vector<int> passes;
   for (const Choice& choice : panel.choices) {
     report.choices.push_back({choice.name, choice.errors, choice.extras, {}, {}, {}});

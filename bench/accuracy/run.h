@@ -34,6 +34,7 @@ struct ChoiceReport {
 struct PanelReport {
   std::string name, description, unit, error_unit;
   ErrorKind kind = ErrorKind::maximum;
+  std::string wrong_name;
   std::vector<ChoiceReport> choices;
   Estimate
       same;  ///< The first choice's time over its own, timed a second time: what the machine makes of no difference.
@@ -66,7 +67,10 @@ std::string page_text(const AccuracyReport& report);
 
 /// "1.2e-07"; empty where there is none.
 std::string error_text(double error);
-std::string_view name_of(ErrorKind kind);
+/// "maximum error", "RMS error", or what the panel counts of a million.
+std::string kind_name(const PanelReport& panel);
+/// "0 to 770": where the true number per million lies with a confidence of 95 %; empty where it is no share.
+std::string wrong_interval(const Errors& errors);
 
 /// All that there are.
 const std::vector<Axis>& accuracy_axes();

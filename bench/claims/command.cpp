@@ -46,12 +46,11 @@ std::string parse(int argc, const char* const* argv, ClaimsPlan& plan) {
   bool is_list = false;
   app.add_option("--claim", names, "What to measure (all)")
       ->type_name("NAMES")
-      ->delimiter(',')
       ->allow_extra_args(false);
   auto* const rounds = app.add_option("--rounds", plan.rounds, "Rounds of timing, 1 to 1000 (9; quick 7)")
                            ->type_name("N")
                            ->check(CLI::Range(1, 1000));
-  app.add_option("--seed", plan.seed, "Of all that is drawn by chance (1)")->type_name("N");
+  app.add_option("--seed", plan.seed, "Of all that is drawn by chance (1)")->type_name("N")->check(whole_number(), "");
   app.add_option("--data", plan.data_dir, "The folder of scenes")->type_name("DIR");
   app.add_flag("--quick", plan.is_quick, "Smaller scenes, fewer rays and rounds: within a minute");
   app.add_option("--json", plan.json, "Writes everything that was measured into FILE")->type_name("FILE");
@@ -63,6 +62,7 @@ std::string parse(int argc, const char* const* argv, ClaimsPlan& plan) {
   if (plan.is_quick && rounds->count() == 0) plan.rounds = 7;
   std::vector<std::string> known;
   for (const Claim& claim : claims()) known.emplace_back(claim.name);
+  names = split_names(names);
   for (const std::string& name : names) require_known("claim", name, known);
   for (const Claim& claim : claims()) {
     if (names.empty() || std::ranges::find(names, claim.name) != names.end()) plan.claims.push_back(&claim);

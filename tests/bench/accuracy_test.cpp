@@ -48,6 +48,18 @@ TEST(Front, DoesNotDecideWhatScatters) {
   EXPECT_EQ(found[1].place, Place::not_resolved);
 }
 
+/// No interval of a median of five has a confidence of 95 %, whatever the five say.
+TEST(Front, DecidesNothingInFewRounds) {
+  Candidate fast = candidate(1, 10), slow = candidate(1, 1000);
+  for (const int rounds : {least_rounds - 1, least_rounds}) {
+    fast.round_seconds.assign(static_cast<std::size_t>(rounds), 1);
+    slow.round_seconds.assign(static_cast<std::size_t>(rounds), 2);
+    const auto found = standings(std::vector{fast, slow});
+    EXPECT_EQ(found[1].place, rounds < least_rounds ? Place::not_resolved : Place::dominated);
+    EXPECT_EQ(found[0].place, rounds < least_rounds ? Place::not_resolved : Place::on_front);
+  }
+}
+
 TEST(Front, LeavesOutWhatHasNoError) {
   const auto found = standings(std::vector{candidate(not_asked, 1), candidate(1, 10)});
   EXPECT_EQ(found[0].place, Place::unknown);
@@ -63,6 +75,9 @@ TEST(ErrorSum, TellsLargestMeanAndShare) {
   EXPECT_EQ(sum.errors().maximum, 4);
   EXPECT_DOUBLE_EQ(sum.errors().rms, std::sqrt(12.5));
   EXPECT_DOUBLE_EQ(sum.errors().wrong_per_million, 1000);
+  EXPECT_EQ(sum.errors().wrong, 1u);
+  EXPECT_EQ(sum.errors().decisions, 1000u);
+  EXPECT_EQ(wrong_interval(sum.errors()), "177 to 5643");
   sum.add(std::numeric_limits<double>::quiet_NaN());
   EXPECT_TRUE(std::isinf(sum.errors().maximum));
 }

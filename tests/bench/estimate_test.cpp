@@ -11,6 +11,17 @@
 namespace sightline::bench {
 namespace {
 
+/// Against Wilson's formula by hand.
+TEST(EstimateOfShare, HoldsWhereNothingIsFound) {
+  EXPECT_NEAR(estimate_of_share(0, 10).high, 0.27753, 1e-5);
+  EXPECT_EQ(estimate_of_share(0, 10).low, 0);
+  EXPECT_NEAR(estimate_of_share(5, 10).low, 0.23659, 1e-5);
+  EXPECT_NEAR(estimate_of_share(5, 10).high, 0.76341, 1e-5);
+  EXPECT_EQ(estimate_of_share(10, 10).high, 1);
+  EXPECT_THROW(estimate_of_share(0, 0), std::invalid_argument);
+  EXPECT_THROW(estimate_of_share(2, 1), std::invalid_argument);
+}
+
 TEST(Estimate, MedianOfOddAndEvenCounts) {
   EXPECT_EQ(estimate({3, 1, 2}).median, 2);
   EXPECT_EQ(estimate({4, 1, 3, 2}).median, 2.5);

@@ -21,6 +21,10 @@ refuses 2 no-such-option "$accuracy" --no-such-option
 refuses 2 stray "$accuracy" stray
 refuses 2 rounds "$accuracy" --rounds 0
 refuses 2 seed "$accuracy" --seed many
+refuses 2 "expected a whole number from 0 on, found '-1'" "$accuracy" --seed=-1
+refuses 2 "found 'NaN'" "$accuracy" --seed NaN
+refuses 2 "unknown axis ''" "$accuracy" --axis box,,
+refuses 1 'expected a folder of scenes, found nothing' "$accuracy" --axis box --data /nowhere
 refuses 2 table "$accuracy" --json -
 refuses 2 table "$accuracy" --html -
 refuses 1 /dev/null "$accuracy" --axis box --quick --rounds 3 --json /dev/null/out.json
@@ -29,7 +33,7 @@ refuses 1 /dev/null "$accuracy" --axis box --quick --rounds 3 --charts /dev/null
 
 run "$accuracy" --axis box,quadratic --quick --rounds 3 --json out.json --html out.html --charts charts
 expect_exit 0
-for word in 'Ize, 2 ulp' 'Kahan fma double' 'wrong/million' 'A/A' 'ns/test'; do expect_prints "$word"; done
+for word in 'Ize, 2 ulp' 'Kahan fma double' 'per million' 'A/A' 'ns/test' 'so that nothing is resolved' 'not resolved'; do expect_prints "$word"; done
 for file in out.json out.html charts/box-1.png charts/box-1.svg charts/quadratic-3.png; do expect_file "$file"; done
 # Marks within the picture: an ellipse for each on the front.
 check 'marks in the SVG' grep -q -E '<ellipse|<circle [^>]*cx="[0-9]{2,3}' "$work/charts/box-1.svg"

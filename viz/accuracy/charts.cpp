@@ -160,7 +160,7 @@ vtkStandardNewMacro(DrawnMarks)
     add_marks(bench::Place::not_resolved, "not resolved", green, vtkPlotPoints::DIAMOND);
     add_marks(bench::Place::dominated, "dominated", orange, vtkPlotPoints::SQUARE);
     set_axis(vtkAxis::BOTTOM,
-             std::string(bench::name_of(panel.kind)) +
+             bench::kind_name(panel) +
                  (panel.kind == bench::ErrorKind::wrong ? " per million" : ' ' + panel.error_unit) +
                  (has_zero() ? " (0 at the left end)" : ""),
              true);
@@ -209,11 +209,12 @@ vtkStandardNewMacro(DrawnMarks)
     std::ranges::sort(marks, [](const Mark& a, const Mark& b) {
       return a.error != b.error ? a.error < b.error : a.nanoseconds > b.nanoseconds;
     });
+    drawn_->line = marks;
+    if (marks.size() < 2) return;  // VTK draws no line of one point, and says so
     vtkPlot* plot = chart_->AddPlot(vtkChart::LINE);
     plot->SetInputData(table_of(marks, "front"), 0, 1);
     plot->GetPen()->SetColorF(blue[0], blue[1], blue[2]);
     plot->SetWidth(static_cast<float>(1.5 * scale_));
-    drawn_->line = std::move(marks);
   }
 
   void add_marks(bench::Place place, const std::string& name, const Rgb& color, int style) {

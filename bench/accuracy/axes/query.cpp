@@ -107,7 +107,8 @@ Panel panel_of(const Effort& effort, const std::string& scene, const Mesh& mesh)
     if (!tracer->is_lazy())
       panel.choices.push_back(choice_of<float>(name + " fast", tracer, rays, truths, Level::fast));
     panel.choices.push_back(choice_of<float>(name + " watertight", tracer, rays, truths, Level::watertight));
-    panel.choices.push_back(choice_of<double>(name + " double", tracer, rays, truths, Level::watertight));
+    panel.choices.push_back(choice_of<double>(name + " precise", tracer, rays, truths, Level::precise));
+    panel.choices.push_back(choice_of<double>(name + " exact", tracer, rays, truths, Level::exact));
   }
   return panel;
 }

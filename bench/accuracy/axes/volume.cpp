@@ -56,12 +56,14 @@ Panel panel_of(const Effort& effort, const std::string& scene, std::size_t count
   auto hits = std::make_shared<std::vector<Hit<float>>>(rays->size());
   Panel panel{scene,
               scene +
-                  " in trees that differ in their volumes alone, leaves of at most 4; wrong: leaves that a ray is "
+                  " in trees that differ in their volumes alone, leaves of at most 4; in vain: leaves that a ray is "
                   "led to although it crosses none of their triangles, per million rays",
               "ray",
               "",
               ErrorKind::wrong,
-              static_cast<double>(rays->size())};
+              static_cast<double>(rays->size()),
+              {},
+              "leaves in vain"};
   double boxes = 0;
   for (const std::string name : {"box-tree", "sphere-tree", "cylinder-tree"}) {
     const std::shared_ptr<const Tracer> tracer = make_tracer(name, mesh, {{{"max_leaf_size", "4"}}});
