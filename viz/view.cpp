@@ -9,6 +9,7 @@
 #include "viz/build/build_command.h"
 #include "viz/compare/compare_command.h"
 #include "viz/csg_command.h"
+#include "viz/drawing/drawing_command.h"
 #include "viz/graph/graph_command.h"
 #include "viz/noise/noise_command.h"
 #include "viz/pages/window_command.h"
@@ -121,6 +122,7 @@ int run_view(const std::vector<std::string>& given, const std::string& data_fold
   NormalsCommand normals(app);
   PageCommand page(app, data);
   PictureCommand picture(app);
+  DrawingCommand drawing(app);
   listing->fallthrough();
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // it takes them from the back
@@ -150,6 +152,7 @@ int run_view(const std::vector<std::string>& given, const std::string& data_fold
   if (normals.is_chosen()) return normals.run();
   if (page.is_chosen()) return page.run();
   if (picture.is_chosen()) return picture.run();
+  if (drawing.is_chosen()) return drawing.run();
   throw UsageError("expected a subcommand: " + subcommand_names + " (see --help)");
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "labs/check/structure_checks.h"
 #include "labs/check/structure_scene.h"
@@ -13,10 +14,15 @@ Point3 point_of(const Vec3f& p) { return {p.x, p.y, p.z}; }
 
 /// Cells with the order in which a walk came to them; those that it never touched only where `is_every`.
 void add_cells(SpacePanel& panel, const std::vector<Cell>& cells, const RecordedWalk& walk, bool is_every) {
+  std::set<std::uint32_t> leaves;
+  for (const Cell& cell : cells) {
+    if (cell.is_leaf) leaves.insert(cell.node);
+  }
   std::map<std::uint32_t, int> orders;
   int next = 0;
   for (const auto& step : walk.steps) {
-    if (step.event != WalkRecorder::Event::cull && orders.emplace(step.node, next).second) ++next;
+    const bool is_leaf = step.event != WalkRecorder::Event::cull && leaves.contains(step.node);
+    if (is_leaf && orders.emplace(step.node, next).second) ++next;
   }
   for (const Cell& cell : cells) {
     if (!cell.is_leaf) continue;

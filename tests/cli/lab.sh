@@ -70,6 +70,31 @@ refuses 2 '--case: expected 10 whole numbers from -9 to 9' "$lab" --mine "$mine"
 refuses 2 '--case: expected 10 whole numbers from -9 to 9' "$lab" --mine "$mine" replay 00 --case hit:1,2,3,4,5,6,7,8,9,10
 refuses 2 "unknown check 'hot'" "$lab" --mine "$mine" check 00 --only hot
 
+# What fails is drawn, and what works as well.
+if [[ -x $programs/sightline-view ]]; then
+  run "$lab" --mine "$mine" replay 00 --case "$case"
+  expect_exit 1
+  expect_prints pictures/hit.png
+  check 'a picture of the case' test -s "$mine/00-first-picture/pictures/hit.png"
+  run "$lab" --mine "$mine" view 00
+  expect_exit 0
+  check 'the picture' test -s "$mine/00-first-picture/pictures/first-picture.png"
+  # Numbers that are not finite, and what is no drawing.
+  nan='{"title": "t", "caption": "c", "panels": [{"title": "", "chart": {"x_label": "x", "y_label": "y", "is_log_x": false,
+    "is_log_y": true, "curves": [{"name": "n", "role": "right", "is_dots": false, "points": [[0, 0], [1, -1], [2, 3]]}]}}]}'
+  run bash -c 'printf %s "$1" >d.json; "$0" drawing d.json --out d.png' "$programs/sightline-view" "$nan"
+  expect_exit 0
+  expect_file d.png
+  for text in '' '{' '[]' '{"title": 1}' '{"title": "", "caption": "", "panels": [{"title": ""}]}'; do
+    run bash -c 'printf %s "$1" >d.json; "$0" drawing d.json --out d.png' "$programs/sightline-view" "$text"
+    expect_exit 1
+    expect_one_line
+    expect_says 'd.json: expected a drawing in JSON'
+  done
+  refuses 1 'no.json: expected a drawing in JSON' "$programs/sightline-view" drawing no.json --out d.png
+  refuses 2 "ends in .png" "$programs/sightline-view" drawing no.json --out d.jpeg
+fi
+
 # A program that crashes, hangs or prints is told of.
 sed 's/  const double a = glm::dot(ray.direction, ray.direction);/  std::abort();&/' "$solution" >"$sphere"
 run "$lab" --mine "$mine" check 00 --only hit --no-pictures
