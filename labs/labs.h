@@ -9,7 +9,8 @@ namespace sightline::labs {
 
 Lab first_picture_lab();
 Lab kd_tree_lab();
+Lab hard_cases_lab();
 
-inline std::vector<Lab> make_labs() { return {first_picture_lab(), kd_tree_lab()}; }
+inline std::vector<Lab> make_labs() { return {first_picture_lab(), kd_tree_lab(), hard_cases_lab()}; }
 
 }  // namespace sightline::labs
