@@ -11,7 +11,10 @@ Lab first_picture_lab();
 Lab csg_lab();
 Lab matrix_stack_lab();
 Lab kd_tree_lab();
+Lab hard_cases_lab();
 
-inline std::vector<Lab> make_labs() { return {first_picture_lab(), csg_lab(), matrix_stack_lab(), kd_tree_lab()}; }
+inline std::vector<Lab> make_labs() {
+  return {first_picture_lab(), csg_lab(), matrix_stack_lab(), kd_tree_lab(), hard_cases_lab()};
+}
 
 }  // namespace sightline::labs

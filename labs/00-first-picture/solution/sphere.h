@@ -26,7 +26,7 @@ inline Ray<double> camera_ray(int x, int y, int width, int height) {
 }
 
 /// The smallest t with t_min < t <= t_max at which the ray is on the ball's surface; nothing where there is none. A ray
-/// that only touches the ball does hit it.
+/// that only touches the ball does hit it. The ray's direction has any length but 0.
 inline std::optional<double> hit_sphere(const Ray<double>& ray, const Ball& ball) {
   // lab:hole hit_sphere | 2. Where a ray meets a sphere
   // |o + t d - c|^2 = r^2 is a t^2 + 2 b t + c = 0.
@@ -66,7 +66,10 @@ inline double shade(const Vec3d& normal, const Vec3d& to_light) {
 inline constexpr Ball balls[] = {
     {{0, 0, -3}, 1}, {{-1.6, -0.4, -4}, 0.7}, {{1.3, 0.5, -2.6}, 0.45}, {{0, -101, -3}, 100}};
 
-/// From 0 (black) to 1: the nearest ball that the pixel's ray meets, in the light; nothing is met: 0.05.
+/// The way to the light from every point, for it is as far as the sun; not of unit length.
+inline constexpr Vec3d to_sun{0.5, 1, 0.7};
+
+/// From 0 (black) to 1: how bright the nearest ball is where the pixel's ray meets it; nothing is met: 0.05.
 inline double pixel(int x, int y, int width, int height) {
   // lab:hole pixel | 5. The nearest one
   Ray<double> ray = camera_ray(x, y, width, height);
@@ -75,7 +78,7 @@ inline double pixel(int x, int y, int width, int height) {
     const std::optional<double> t = hit_sphere(ray, ball);
     if (!t) continue;
     ray.t_max = *t;  // what lies farther is no longer looked for
-    brightness = shade(normal_at(ball, ray.at(*t)), glm::normalize(Vec3d(0.5, 1, 0.7)));
+    brightness = shade(normal_at(ball, ray.at(*t)), glm::normalize(to_sun));
   }
   return brightness;
   // lab:end
