@@ -8,8 +8,9 @@
 namespace sightline::labs {
 
 Lab first_picture_lab();
+Lab perlin_noise_lab();
 Lab kd_tree_lab();
 
-inline std::vector<Lab> make_labs() { return {first_picture_lab(), kd_tree_lab()}; }
+inline std::vector<Lab> make_labs() { return {first_picture_lab(), perlin_noise_lab(), kd_tree_lab()}; }
 
 }  // namespace sightline::labs
