@@ -9,11 +9,12 @@ namespace sightline::labs {
 
 Lab first_picture_lab();
 Lab perlin_noise_lab();
+Lab volumetric_texture_lab();
 Lab normal_mapping_lab();
 Lab kd_tree_lab();
 
 inline std::vector<Lab> make_labs() {
-  return {first_picture_lab(), perlin_noise_lab(), normal_mapping_lab(), kd_tree_lab()};
+  return {first_picture_lab(), perlin_noise_lab(), volumetric_texture_lab(), normal_mapping_lab(), kd_tree_lab()};
 }
 
 }  // namespace sightline::labs
