@@ -13,6 +13,7 @@
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
+#include <utility>
 
 namespace sightline::viz {
 namespace {
@@ -63,7 +64,10 @@ bool has_display() {
   Display* display = XOpenDisplay(nullptr);
   if (!display) return false;
   const bool has_opengl = glXQueryExtension(display, nullptr, nullptr);
-  XCloseDisplay(display);
+  // A server resets itself when its last client leaves, and may then refuse the window that comes next, at which VTK
+  // crashes. So this client stays, in the place of one that looked before.
+  static Display* staying = nullptr;
+  if (Display* former = std::exchange(staying, display)) XCloseDisplay(former);
   return has_opengl;
 }
 

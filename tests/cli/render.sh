@@ -185,7 +185,7 @@ if [[ -x $programs/sightline-view ]]; then
   expect_file a.png
 fi
 if [[ -x $programs/sightline-view ]] && type -P Xvfb >/dev/null; then
-  Xvfb -displayfd 3 -screen 0 800x600x24 3>"$scratch/display" 2>/dev/null &
+  Xvfb -displayfd 3 -screen 0 800x600x24 -noreset 3>"$scratch/display" 2>/dev/null &
   server=$!
   for ((i = 0; i < 100; ++i)); do [[ ! -s $scratch/display ]] || break; sleep 0.1; done
   DISPLAY=:$(<"$scratch/display")
