@@ -13,7 +13,6 @@
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
-#include <utility>
 
 namespace sightline::viz {
 namespace {
@@ -61,14 +60,18 @@ std::string read_display_number(int pipe) {
 bool has_display() {
   const char* name = std::getenv("DISPLAY");
   if (!name || !*name) return false;
+  // A server resets itself when its last client leaves, and may then refuse the window that comes next, at which VTK
+  // crashes. So this client stays, and is not asked again.
+  static std::string known;
+  if (name == known) return true;
   Display* display = XOpenDisplay(nullptr);
   if (!display) return false;
-  const bool has_opengl = glXQueryExtension(display, nullptr, nullptr);
-  // A server resets itself when its last client leaves, and may then refuse the window that comes next, at which VTK
-  // crashes. So this client stays, in the place of one that looked before.
-  static Display* staying = nullptr;
-  if (Display* former = std::exchange(staying, display)) XCloseDisplay(former);
-  return has_opengl;
+  if (!glXQueryExtension(display, nullptr, nullptr)) {
+    XCloseDisplay(display);
+    return false;
+  }
+  known = name;
+  return true;
 }
 
 VirtualScreen::VirtualScreen() {

@@ -15,7 +15,7 @@ class ScreenError : public std::runtime_error {
 };
 
 /// Whether DISPLAY names an X server that answers and speaks OpenGL (GLX). VTK aborts the program where it does not, so
-/// this is asked before any window is made. Keeps a connection to it until it is asked again.
+/// this is asked before any window is made. Stays connected to one that has it.
 bool has_display();
 
 /// A screen in memory (Xvfb) for pictures without a display. While it lives, DISPLAY names it; then what it named
