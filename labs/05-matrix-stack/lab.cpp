@@ -299,7 +299,7 @@ Check work_check() {
 Drawing plant(Subject& subject) {
   SpacePanel panel;
   for (const Stroke& stroke : subject.ask<std::vector<Stroke>>("plant", 6)) {
-    panel.lines.push_back({{{stroke.from.x, stroke.from.y, 0}, {stroke.to.x, stroke.to.y, 0}}, Role::right, false, ""});
+    panel.lines.push_back({{{stroke.from.x, stroke.from.y, 0}, {stroke.to.x, stroke.to.y, 0}}, Role::ray, false, ""});
   }
   return {
       "A plant of plants", "Every stroke is the same stem, placed by the matrix on top of your stack.", {{"", panel}}};

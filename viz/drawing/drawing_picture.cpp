@@ -18,7 +18,7 @@ constexpr double margin = 28, head = 70, foot = 64, gap = 24;
 
 std::string number(double x) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
+  std::snprintf(text, sizeof text, "%.4g", x);
   return text;
 }
 
