@@ -39,6 +39,10 @@ Verdict verdict_of(std::span<const Compared> compared, const CompareFindings& fi
   std::array<char, 96> text{};
   std::snprintf(text.data(), text.size(), "The ray hits triangle %u at t = %.7g", hit.prim_id, double(hit.t));
   verdict.text = hit.is_hit() ? text.data() : "The ray hits nothing";
+  if (compared.size() == 1) {
+    verdict.text += '.';  // beside nothing there is nothing to agree with
+    return verdict;
+  }
   if (pixels > 0) verdict.text += "; it and the rays of " + with_commas(pixels) + " pixels";
   verdict.text += pixels > 0 ? " have hits of the same bits in all " : ": the same bits in all ";
   verdict.text += std::to_string(compared.size()) + " structures.";
