@@ -50,7 +50,7 @@ assert box['ours float']['wrong_per_million'] == 0 < box['min and max, divided']
 assert all(c['seconds']['low'] <= c['seconds']['median'] <= c['seconds']['high'] for c in box.values())
 PYTHON
 
-if type -P chromium >/dev/null && type -P node >/dev/null; then
+if has_browser; then
   run_again node "$page" out.html --eval "document.querySelectorAll('svg').length" \
     --eval "document.querySelectorAll('svg .point').length" --eval "document.querySelector('svg .line').getAttribute('d')[0]" \
     --eval "document.querySelector('svg .point').dispatchEvent(new MouseEvent('mousemove', {clientX: 9, clientY: 9}))" \

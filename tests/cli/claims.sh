@@ -43,7 +43,7 @@ for claim in report['claims']:
     assert claim['statement'] and claim['rule'] and claim['reason'] and claim['figures']
 PYTHON
 
-if type -P chromium >/dev/null && type -P node >/dev/null; then
+if has_browser; then
   run_again node "$page" out.html --eval "document.querySelectorAll('#verdicts tr').length" \
     --eval "document.querySelectorAll('section').length" --eval "document.querySelectorAll('svg.chart').length" \
     --eval "document.querySelectorAll('svg.chart .series').length" \

@@ -54,6 +54,13 @@ refuses() {
   expect_no_file
 }
 
+# Whether pages can be tried; says so where they cannot.
+has_browser() {
+  type -P chromium >/dev/null && type -P node >/dev/null && return
+  echo 'pages are NOT tried: chromium and node are not both here'
+  return 1
+}
+
 finish() {
   echo "$checks checks, $failures failed"
   exit $((failures > 0))

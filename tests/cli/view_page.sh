@@ -68,7 +68,7 @@ for step in (6, 12):
 PYTHON
 check 'two steps to compare' test "$(wc -l <"$scratch/expected")" = 2
 
-if type -P chromium >/dev/null && type -P node >/dev/null; then
+if has_browser; then
   # Keeps what expressions with a value print.
   browsing() {
     run_again node "$browse" a.html --size 1100x700 "$@"

@@ -90,7 +90,7 @@ Choice choice_of(const std::string& name, const std::shared_ptr<const Tracer>& t
 
 Panel panel_of(const Effort& effort, const std::string& scene, const Mesh& mesh) {
   effort.say("exact hits of " + scene);
-  Rays rays = edge_rays(*mesh, effort.count(2'000, 300), effort.seed);
+  Rays rays = edge_rays(*mesh, effort.count(4'000, 1'000), effort.seed);
   const Rays more = random_rays(mesh->bounds(), rays.size() / 2, effort.seed);
   rays.insert(rays.end(), more.begin(), more.end());
   const auto truths = truths_of(*mesh, rays);

@@ -25,9 +25,9 @@ std::vector<Panel> panels(const Effort& effort) {
   constexpr double minor = 0.25;
   const Torus torus{Vec3d(0), Vec3d(0, 0, 1), 1, minor};
   std::vector<Panel> all;
-  std::vector<TorusRays> sets = torus_rays(torus, effort.count(2'000, 500));
+  std::vector<TorusRays> sets = torus_rays(torus, effort.count(5'000, 2'000));
   // Failures of grazing rays are counted, which takes many of them: a tenth of all that are asked for.
-  sets.back() = std::move(torus_rays(torus, effort.count(200'000, 40'000)).back());
+  sets.back() = std::move(torus_rays(torus, effort.count(500'000, 50'000)).back());
   for (TorusRays& set : sets) {
     if (set.name == "mixed") continue;
     effort.say("roots of " + std::string(set.name) + " rays by Sturm's theorem");
