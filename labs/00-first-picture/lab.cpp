@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "labs/check/text.h"
 #include "labs/labs.h"
 #include "sightline/math/quadratic.h"
 #include "sightline/math/ray.h"
@@ -17,12 +17,7 @@ struct Ball {
   double radius = 1;
 };
 
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", x);
-  return text;
-}
-std::string text_of(const Vec3d& v) { return "(" + number(v.x) + " " + number(v.y) + " " + number(v.z) + ")"; }
+using labs::text_of;
 std::string text_of(const std::optional<double>& t) { return t ? "t = " + number(*t) : "no hit"; }
 
 /// Whether a number is what it should be but for a few roundings of numbers as large as `size`.

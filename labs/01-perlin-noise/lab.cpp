@@ -3,21 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "labs/check/text.h"
 #include "labs/labs.h"
 #include "sightline/math/vec.h"
 #include "sightline/noise/noise.h"
 
 namespace sightline::labs {
 namespace {
-
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", x);
-  return text;
-}
-std::string text_of(const Vec3d& v) { return "(" + number(v.x) + " " + number(v.y) + " " + number(v.z) + ")"; }
 
 /// A sum of eight corners rounds some forty times, with numbers of at most 2: 2^-46 is all that orders of operations
 /// can differ by, several times over.

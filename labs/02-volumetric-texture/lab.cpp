@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "labs/check/text.h"
 #include "labs/labs.h"
 #include "sightline/math/vec.h"
 #include "sightline/noise/noise.h"
@@ -15,13 +15,6 @@ namespace {
 struct Grain {
   double texture_frequency, noise_frequency, noise_amplitude;
 };
-
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.12g", x);
-  return text;
-}
-std::string text_of(const Vec3d& v) { return "(" + number(v.x) + " " + number(v.y) + " " + number(v.z) + ")"; }
 
 // Everything is made of small quarters and halves: exact in every order, and no tolerance is needed.
 Grain grain_of(const Case& at) {

@@ -3,21 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <glm/vec2.hpp>
 
+#include "labs/check/text.h"
 #include "labs/labs.h"
 #include "sightline/texture/normal_map.h"
 
 namespace sightline::labs {
 namespace {
-
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.12g", x);
-  return text;
-}
-std::string text_of(const Vec3d& v) { return "(" + number(v.x) + " " + number(v.y) + " " + number(v.z) + ")"; }
 
 /// Whole numbers up to 9 make vectors whose angle has a sine above 2^-14 where it is not 0, and so much is what taking
 /// the part along a normal away may cancel: of 2^-53, with a few roundings, 2^-36 is left.

@@ -2,24 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <set>
 
 #include "labs/04-csg/picture.h"
 #include "labs/04-csg/true_spans.h"
+#include "labs/check/text.h"
 #include "labs/labs.h"
 #include "sightline/math/quadratic.h"
 
 namespace sightline::labs::csg {
 namespace {
 
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", x);
-  return text;
-}
-std::string text_of(const Vec3d& v) { return "(" + number(v.x) + " " + number(v.y) + " " + number(v.z) + ")"; }
+using labs::text_of;
 
 /// "outside, 1 in, 3 out".
 std::string text_of(const Spans& spans) {

@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "labs/check/text.h"
 #include "labs/labs.h"
 #include "sightline/math/vec.h"
 
@@ -27,12 +27,7 @@ struct Stroke {
   Vec3d from, to;
 };
 
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", x);
-  return text;
-}
-std::string text_of(const Vec3d& v) { return "(" + number(v.x) + " " + number(v.y) + " " + number(v.z) + ")"; }
+using labs::text_of;
 std::string text_of(const Matrix& m) {
   std::string text;
   for (const auto& row : m.rows) {

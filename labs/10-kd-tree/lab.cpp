@@ -3,16 +3,11 @@
 #include <cmath>
 
 #include "labs/check/structure_checks.h"
+#include "labs/check/text.h"
 #include "labs/labs.h"
 
 namespace sightline::labs {
 namespace {
-
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.9g", x);
-  return text;
-}
 
 /// A cell of whole numbers, split within.
 struct Division {

@@ -4,17 +4,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "labs/check/text.h"
 #include "labs/labs.h"
 #include "sightline/math/ray.h"
 
 namespace sightline::labs {
 namespace {
 
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", x);
-  return text;
-}
 std::string text_of(const Vec3f& v) {
   char text[64];
   std::snprintf(text, sizeof text, "(%.9g %.9g %.9g)", double(v.x), double(v.y), double(v.z));
